@@ -1,6 +1,5 @@
 #include <continua/case/power_laws.h>
 
-#include <continua/base/input_error.h>
 #include <continua/base/misfit.h>
 #include <continua/base/units.h>
 #include <continua/materials/power_law_fit.h>
@@ -57,13 +56,9 @@ std::string warning_of_better_series(const std::string &region, const Relaxation
          << " %. By Schwarz's criterion the series is very clearly better. Fit the table with "
             "'Analysis = material fit', and take the entries of its material.prm";
   }
-  catch (const std::invalid_argument &)
+  catch (const std::exception &)
   {
-    return ""; // too few rows to compare laws
-  }
-  catch (const RunError &)
-  {
-    return ""; // neither law can be fitted
+    return ""; // too few rows to compare laws, or one of them cannot be fitted
   }
   return text.str();
 }
@@ -72,7 +67,7 @@ void PowerLaws::note_table(const std::string &region, const ParameterSection &se
 {
   const RelaxationTest test = read_relaxation_test(section);
   tables[region] = fit_relaxation_test(test);
-  warnings_of_laws[region] = warning_of_better_series(region, test);
+  tests[region] = test;
 }
 
 void PowerLaws::report_tables(Log &log, Summary &summary) const
@@ -87,7 +82,8 @@ void PowerLaws::report_tables(Log &log, Summary &summary) const
     if (const std::string warning = warning_of_relaxation_table(region, fit.misfit);
         !warning.empty())
       log.warning(warning);
-    if (const std::string &warning = warnings_of_laws.at(region); !warning.empty())
+    if (const std::string warning = warning_of_better_series(region, tests.at(region));
+        !warning.empty())
       log.warning(warning);
     summary.add({"c", fit.modulus, "Pa", region});
     summary.add({"n", fit.exponent, "1", region});

@@ -136,16 +136,17 @@ void add_notes(FitResult &result,
   for (std::size_t r = 0; r < records.size(); ++r)
     if (result.records[r].whiteness.probability < 0.01 &&
         result.records[r].treatment == result.records[r].noise.description())
-      result.notes.push_back("the residuals of '" + records[r].name +
-                             "' are correlated (probability of white ones: " +
-                             six_digits(result.records[r].whiteness.probability) +
-                             "), and no treatment was asked for: the standard errors are wrong");
+      result.doubts.push_back("the residuals of '" + records[r].name +
+                              "' are correlated (probability of white ones: " +
+                              six_digits(result.records[r].whiteness.probability) +
+                              "), and no treatment was asked for: the standard errors are wrong");
   if (result.probability_of_misfit < 0.01)
-    result.notes.push_back(
+    result.doubts.push_back(
         "the misfit is " + six_digits(result.misfit) + " for " +
         std::to_string(result.degrees_of_freedom) +
         " degrees of freedom: the model does not follow the data within the stated noise, and the "
         "standard errors do not contain this error of the model");
+  result.notes.insert(result.notes.end(), result.doubts.begin(), result.doubts.end());
   for (const FlatDirection &direction : result.flat_directions)
     result.notes.push_back(direction.sentence);
 }
@@ -260,6 +261,17 @@ FitResult LeastSquaresFit::solve()
     result.intervals.assign(parameters.size(), {undefined, undefined, false, false});
     result.degrees_of_freedom_of_errors.assign(parameters.size(), undefined);
     result.treated_over_plain_variance.assign(parameters.size(), 1.);
+    const unsigned int n_free = result.free.size();
+    for (dealii::FullMatrix<double> *const matrix : {&result.covariance, &result.correlation})
+    {
+      matrix->reinit(n_free, n_free);
+      for (unsigned int a = 0; a < n_free; ++a)
+        for (unsigned int b = 0; b < n_free; ++b)
+          (*matrix)(a, b) = undefined;
+    }
+    if (n_free > 0)
+      result.notes.emplace_back("there are no standard errors, since the derivatives of the model "
+                                "at the estimates were not found");
   }
   add_notes(result, parameters, records, model.last_failure());
   return result;

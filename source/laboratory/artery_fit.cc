@@ -2,6 +2,7 @@
 
 #include <continua/base/atomic_file.h>
 #include <continua/base/citations.h>
+#include <continua/base/misfit.h>
 #include <continua/base/six_digits.h>
 #include <continua/base/table_writer.h>
 #include <continua/base/undefined.h>
@@ -23,6 +24,13 @@ std::vector<FitParameter> fit_parameters(const std::vector<ArteryParameter> &par
   for (const ArteryParameter &parameter : parameters)
     list.push_back(parameter.fit);
   return list;
+}
+
+/// Largest less smallest of what was measured.
+double range_of(const DataRecord &record)
+{
+  const auto [least, largest] = std::minmax_element(record.values.begin(), record.values.end());
+  return *largest - *least;
 }
 
 double or_unknown(const double noise)
@@ -77,11 +85,9 @@ void ArteryFit::compute(const OutputDirectory &directory, Log &log, Summary &sum
   FitOptions options;
   options.n_starts = parameters.n_starts;
   options.tolerance = 1e-5;
-  const FitResult result = LeastSquaresFit(sought,
-                                           test.data_records(or_unknown(parameters.diameter_noise),
-                                                             or_unknown(parameters.force_noise)),
-                                           model, options)
-                               .solve();
+  const std::vector<DataRecord> records =
+      test.data_records(or_unknown(parameters.diameter_noise), or_unknown(parameters.force_noise));
+  const FitResult result = LeastSquaresFit(sought, records, model, options).solve();
   log.line("Found:");
   report_fit(sought, result, log, summary);
   const std::string units[] = {"m", "N"}, names[] = {"diameter", "axial force"};
@@ -94,24 +100,40 @@ void ArteryFit::compute(const OutputDirectory &directory, Log &log, Summary &sum
          << " (root of the mean square)";
     log.line(text.str());
     summary.add({"misfit of the " + names[i], misfit, units[i], "fit"});
+    const double range = range_of(records[i]);
+    for (const std::string &warning :
+         {misfit_warning("Artery fit: the " + names[i] + " of the tube",
+                         range > 0. ? misfit / range : 0.,
+                         "root of the mean square, over the range of the column",
+                         "Check the radius, the layers and their thicknesses, and the units of "
+                         "the table: the standard errors hold for a tube that is right"),
+          warning_of_order("the " + names[i], result.records[i].whitened)})
+      if (!warning.empty())
+        log.warning(warning);
   }
   const bool is_writer = is_writing_rank(communicator);
   if (is_writer)
   {
     write_rows(directory.file("fit-inflation.csv"), result);
     write_correlation(directory.file("correlation.csv"), sought, result);
-    write_file_atomically(directory.file("materials.prm"),
-                          materials_text(result, model.tube(result.estimates)));
+    if (result.converged)
+      write_file_atomically(directory.file("materials.prm"),
+                            materials_text(result, model.tube(result.estimates)));
   }
-  log.line("The layers stand in materials.prm, to be pasted into a parameter file");
+  if (result.converged)
+    log.line("The layers stand in materials.prm, to be pasted into a parameter file");
+  else
+    summary.set("status", "failed");
   bool all_passed = true;
   for (const std::string &verdict : summary.check(expected, all_passed))
     log.line(verdict);
   summary.set("warnings", log.warnings());
-  if (!is_writer)
-    return;
-  summary.write(directory.file("summary.json"));
-  Citations().write(directory.file("citation.bib"));
+  if (is_writer)
+  {
+    summary.write(directory.file("summary.json"));
+    Citations().write(directory.file("citation.bib"));
+  }
+  require_end(result, "the artery");
 }
 
 void ArteryFit::write_rows(const std::string &file, const FitResult &result) const
@@ -152,8 +174,7 @@ std::string ArteryFit::materials_text(const FitResult &result, const LoadedTube 
          << "\n";
   }
   const TubeSection &section = tube.section();
-  text << "# Without load, beside an opening angle as the opened ring, the tube has the inner "
-          "radius "
+  text << "# The tube without load (with an opening angle: the opened ring) has the inner radius "
        << six_digits(section.inner_radius) << " m\n# and layers of";
   for (const double thickness : section.layer_thicknesses)
     text << " " << six_digits(thickness) << " m";

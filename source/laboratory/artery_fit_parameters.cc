@@ -5,6 +5,7 @@
 #include <continua/materials/model.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Continua
@@ -54,7 +55,9 @@ void ArteryFitParameters::read(ParameterSection section)
                          "in its header. Required.");
   double inner_radius = std::numeric_limits<double>::quiet_NaN();
   section.add("Inner radius", inner_radius, Dimensions::length,
-              "Inner radius of the closed ring without load. Required.", Range::positive());
+              "Inner radius of the closed ring without load, at axial stretch 1. With an opening "
+              "angle the length of the closed ring is that of the opened one. Required.",
+              Range::positive());
   section.add("Layers", layer_names,
               "Names of the layers in the section Materials, from the inside. Required.");
   section.add("Layer thicknesses", ring.layer_thicknesses, Dimensions::length,
@@ -181,6 +184,15 @@ void ArteryFitParameters::take_parameter(const Request &request, const Parameter
                      "the strain law '" + material.strain_law_parameters.type + "' of the layer '" +
                          layer + "' has no entry '" + key + "'",
                      "Take an entry of this law, or another law for the layer");
+    if (std::count(request.entries.begin(), request.entries.end(), path) > 1)
+      section.refuse("Entries", "'" + path + "' is named twice", "Name each entry once");
+    const double first = parameter.entry->value(ring.layers[parameter.layers.front()]),
+                 value = parameter.entry->value(material);
+    if (std::abs(value - first) > 1e-9 * std::abs(first))
+      section.refuse("Entries",
+                     "the layers have '" + key + "' = " + parameter.entry->text(first) + " and " +
+                         parameter.entry->text(value) + ", and the search begins with one number",
+                     "Give the layers the same value in Materials");
     for (const ArteryParameter &other : parameters)
       if (other.entry == parameter.entry &&
           std::count(other.layers.begin(), other.layers.end(), parameter.layers.back()) > 0)

@@ -1,7 +1,11 @@
 #include <continua/laboratory/fit_report.h>
 
+#include <continua/base/input_error.h>
 #include <continua/base/table_writer.h>
 #include <continua/base/units.h>
+#include <continua/inference/whiteness_test.h>
+
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,24 +37,35 @@ std::string to_error(const double value, const double error)
   return text.str();
 }
 
+/// Of a number in SI, as messages say it: angles in degrees, like in parameter files.
 std::string with_unit(const FitParameter &parameter)
 {
-  return parameter.unit == "1" ? "" : " " + parameter.unit;
+  return parameter.unit == "1" ? "" : parameter.unit == "rad" ? " deg" : " " + parameter.unit;
+}
+
+double in_unit_of_messages(const FitParameter &parameter)
+{
+  return parameter.unit == "rad" ? 180. / dealii::numbers::PI : 1.;
 }
 
 /// "Young's modulus 400512 +- 620 Pa (95 %: 399300 to 401700 Pa)", at a bound "below 12 Pa".
 std::string sentence_of(const FitParameter &parameter, const FitResult &result, const std::size_t i)
 {
   const std::string unit = with_unit(parameter);
-  const ConfidenceInterval &interval = result.intervals[i];
+  const double factor = in_unit_of_messages(parameter), estimate = factor * result.estimates[i],
+               error = factor * result.standard_errors[i];
+  ConfidenceInterval interval = result.intervals[i];
+  interval.lower *= factor;
+  interval.upper *= factor;
   std::string text = parameter.name + " ";
-  if (std::isfinite(result.standard_errors[i]) && result.standard_errors[i] > 0.)
-    return text + to_error(result.estimates[i], result.standard_errors[i]) + " +- " +
-           rounded(result.standard_errors[i], 2) + unit + " (95 %: " + rounded(interval.lower, 4) +
-           " to " + rounded(interval.upper, 4) + unit + ")";
-  text += rounded(result.estimates[i], 6) + unit;
+  if (std::isfinite(error) && error > 0.)
+    return text + to_error(estimate, error) + " +- " + rounded(error, 2) + unit +
+           " (95 %: " + rounded(interval.lower, 4) + " to " + rounded(interval.upper, 4) + unit +
+           ")";
+  text += rounded(estimate, 6) + unit;
   if (!result.at_bound[i])
-    return text + ", which the data do not see";
+    return text +
+           (std::isnan(error) ? ", without a standard error" : ", which the data do not see");
   text += ", at its bound";
   if (!interval.upper_is_bound)
     return text + " (95 %: below " + rounded(interval.upper, 4) + unit + ")";
@@ -93,11 +108,12 @@ void report_fit(const std::vector<FitParameter> &parameters,
     of_directions.insert(direction.sentence);
     log.warning(direction.sentence);
   }
+  for (const std::string &doubt : result.doubts)
+    log.warning(doubt);
   for (const std::string &note : result.notes)
-    if (of_directions.count(note) == 0)
+    if (of_directions.count(note) == 0 &&
+        std::count(result.doubts.begin(), result.doubts.end(), note) == 0)
       log.line(note);
-  if (!result.converged)
-    log.warning("the fit did not come to its end: " + result.stop_reason);
   for (std::size_t i = 0; i < result.free.size(); ++i)
     for (std::size_t j = i + 1; j < result.free.size(); ++j)
       if (const double correlation = result.correlation(i, j);
@@ -107,6 +123,26 @@ void report_fit(const std::vector<FitParameter> &parameters,
             "' trade off: with more of the one the data fit " +
             (correlation > 0. ? "more" : "less") + " of the other nearly as well (correlation " +
             rounded(correlation, 3) + "); what fixes one of them sharpens the other");
+}
+
+std::string warning_of_order(const std::string &rows, const std::vector<double> &residuals)
+{
+  const WhitenessTest test = ljung_box_test(residuals);
+  if (!(test.probability < clear_order))
+    return "";
+  return "what the fit leaves of " + rows +
+         " is no independent error of each row, as the standard errors assume: neighbouring rows "
+         "miss in the same way (probability " +
+         rounded(test.probability, 2) +
+         ", Ljung and Box). The model does not follow the table, or the errors of neighbouring "
+         "rows are alike: the standard errors are too small";
+}
+
+void require_end(const FitResult &result, const std::string &found)
+{
+  if (!result.converged)
+    throw RunError("the fit of " + found + " did not come to its end: " + result.stop_reason +
+                   ". The tables have the last values of the search");
 }
 
 void write_correlation(const std::string &file,

@@ -149,6 +149,8 @@ void LargeStrainTests::fit()
   text << "; root mean square of the difference " << found.misfit << " of the largest stress";
   log.line(text.str());
   report_fit(found.sought, found.result, log, summary);
+  if (!found.result.converged)
+    log.warning("the fit did not come to its end: " + found.result.stop_reason);
   if (const std::string warning =
           misfit_warning("Laboratory: the law " + law_parameters.type, found.misfit,
                          "root of the mean square, of the largest stress",

@@ -86,6 +86,25 @@ void write_branches_tried(const std::string &file, const std::vector<BarLawFit> 
   table.flush();
 }
 
+/// Storage and loss moduli are curves of their own.
+void warn_of_order(const BarRecord &record, const RecordFit &of_record, Log &log)
+{
+  const unsigned int n_curves = record.quantity == BarQuantity::modulus ? 2 : 1;
+  for (unsigned int curve = 0; curve < n_curves; ++curve)
+  {
+    std::vector<double> residuals;
+    for (std::size_t i = curve; i < of_record.whitened.size(); i += n_curves)
+      residuals.push_back(of_record.whitened[i]);
+    const std::string column = n_curves == 1 ? ""
+                               : curve == 0  ? " (storage modulus)"
+                                             : " (loss modulus)";
+    if (const std::string warning =
+            warning_of_order("the " + record.name() + " table" + column, residuals);
+        !warning.empty())
+      log.warning(warning);
+  }
+}
+
 BarLaw law_of(const std::string &type, const double poissons_ratio)
 {
   BarLaw law;
@@ -116,20 +135,27 @@ MaterialFit::MaterialFit(const AnalysisInput &input) : Analysis(input)
   quantities.refuse_others(file, root.subsection("Expected"), expected);
 }
 
+std::string MaterialFit::key_of_choice() const
+{
+  return parameters.n_branches > 0 ? "Branches" : "Law";
+}
+
 void MaterialFit::check_law(const ParameterSection &section) const
 {
-  if (parameters.law == "best")
+  if (parameters.law == "best" && parameters.n_branches == 0)
     return;
-  BarLaw law = law_of(parameters.law, parameters.poissons_ratio);
+  BarLaw law =
+      law_of(parameters.n_branches > 0 ? "prony" : parameters.law, parameters.poissons_ratio);
   law.n_branches = std::max(parameters.n_branches, 1u);
   const std::size_t n_constants = law.constants().size();
   if (parameters.n_values() <= n_constants)
-    section.refuse("Law",
+    section.refuse(key_of_choice(),
                    law.description() + " has " + std::to_string(n_constants) +
                        " constants, and the tables have " + std::to_string(parameters.n_values()) +
                        " values that can be used: more than the constants are needed to tell the "
                        "noise, too",
-                   "Give tables with more rows, or another law");
+                   parameters.n_branches > 0 ? "Give tables with more rows, or fewer branches"
+                                             : "Give tables with more rows, or another law");
   if (parameters.law == "kelvin-voigt" &&
       std::all_of(parameters.records.begin(), parameters.records.end(),
                   [](const BarRecord &record)
@@ -184,7 +210,12 @@ std::vector<BarLawFit> MaterialFit::fit_all(const std::vector<BarLawFit> &of_bra
       continue;
     try
     {
-      all.push_back(fit_bar_law(start_of_scan(law, parameters.records), parameters.records));
+      const BarLawFit fit = fit_bar_law(start_of_scan(law, parameters.records), parameters.records);
+      if (fit.result.converged)
+        all.push_back(fit);
+      else
+        log.line("left out: " + law.description() +
+                 ", whose fit did not come to its end: " + fit.result.stop_reason);
     }
     catch (const RunError &error)
     {
@@ -219,7 +250,12 @@ BarLawFit MaterialFit::chosen(const std::vector<BarLawFit> &of_branches,
   for (const BarLawFit &fit : all)
     if (fit.law.type == parameters.law)
       return fit;
-  throw RunError("the law '" + parameters.law + "' could not be fitted to the tables");
+  if (parameters.law == "prony")
+    throw RunError("no Prony series could be fitted to the tables");
+  // Left out of the comparison: its tables tell how far the search came.
+  return fit_bar_law(
+      start_of_scan(law_of(parameters.law, parameters.poissons_ratio), parameters.records),
+      parameters.records);
 }
 
 void MaterialFit::compare(const BarLawFit &chosen,
@@ -238,9 +274,10 @@ void MaterialFit::compare(const BarLawFit &chosen,
     summary.add({"criterion above the best", fit.criterion - best.criterion, "1", fit.law.type});
   }
   if (chosen.criterion - best.criterion > clear_difference)
-    log.warning("Material fit/Law: " + chosen.law.description() + " misses by " +
-                percent(misfit_of(chosen)) + ", " + best.law.description() + " by " +
-                percent(misfit_of(best)) + ". By Schwarz's criterion the second one is better by " +
+    log.warning("Material fit/" + key_of_choice() + ": " + chosen.law.description() +
+                " misses by " + percent(misfit_of(chosen)) + ", " + best.law.description() +
+                " by " + percent(misfit_of(best)) +
+                ". By Schwarz's criterion the second one is better by " +
                 one_decimal(chosen.criterion - best.criterion) + ", where " +
                 one_decimal(clear_difference) + " is very clear");
   const std::string warning =
@@ -261,7 +298,9 @@ void MaterialFit::write(const OutputDirectory &directory,
   if (!of_branches.empty())
     write_branches_tried(directory.file("branches.csv"), of_branches);
   write_correlation(directory.file("correlation.csv"), chosen.parameters, chosen.result);
-  write_file_atomically(directory.file("material.prm"), material_text(chosen, parameters.density));
+  if (chosen.result.converged)
+    write_file_atomically(directory.file("material.prm"),
+                          material_text(chosen, parameters.density));
 }
 
 void MaterialFit::compute(const OutputDirectory &directory, Log &log, Summary &summary)
@@ -276,7 +315,7 @@ void MaterialFit::compute(const OutputDirectory &directory, Log &log, Summary &s
     log.line(parameters.keys[i] + ": " + std::to_string(n_rows) + " rows" +
              (parameters.n_left_out[i] > 0
                   ? ", without " + std::to_string(parameters.n_left_out[i]) +
-                        " up to the end of the loading"
+                        (record.loading_time > 0. ? " up to the end of the loading" : " at time 0")
                   : ""));
   }
   const std::vector<BarLawFit> of_branches = fit_prony_series_to_bar(
@@ -288,6 +327,8 @@ void MaterialFit::compute(const OutputDirectory &directory, Log &log, Summary &s
   compare(found, all, log, summary);
   log.line("Found: " + found.law.description());
   report_fit(found.parameters, found.result, log, summary);
+  for (std::size_t i = 0; i < parameters.records.size(); ++i)
+    warn_of_order(parameters.records[i], found.result.records[i], log);
   summary.set("law", found.law.type);
   summary.add({"branches", static_cast<double>(found.law.n_branches), "1", "fit"});
   for (std::size_t i = 0; i < parameters.records.size(); ++i)
@@ -296,14 +337,19 @@ void MaterialFit::compute(const OutputDirectory &directory, Log &log, Summary &s
   const bool is_writer = is_writing_rank(communicator);
   if (is_writer)
     write(directory, found, of_branches);
-  log.line("The material stands in material.prm, to be pasted into a parameter file");
+  if (found.result.converged)
+    log.line("The material stands in material.prm, to be pasted into a parameter file");
+  else
+    summary.set("status", "failed");
   bool all_passed = true;
   for (const std::string &verdict : summary.check(expected, all_passed))
     log.line(verdict);
   summary.set("warnings", log.warnings());
-  if (!is_writer)
-    return;
-  summary.write(directory.file("summary.json"));
-  Citations().write(directory.file("citation.bib"));
+  if (is_writer)
+  {
+    summary.write(directory.file("summary.json"));
+    Citations().write(directory.file("citation.bib"));
+  }
+  require_end(found.result, found.law.description());
 }
 } // namespace Continua

@@ -2,6 +2,7 @@
 
 #include <continua/base/csv_table.h>
 #include <continua/base/words.h>
+#include <continua/case/bar_tables.h>
 #include <continua/theory/bar_law.h>
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace Continua
 {
 namespace
 {
-constexpr Dimension force_of_a_bar{1, 1, -2};
-/// A table of fewer values tells no noise.
-constexpr std::size_t fewest_rows = 3;
-
 const Words<TableNoise> &noise_words()
 {
   static const Words<TableNoise> words = {{"relative", TableNoise::relative},
@@ -24,38 +21,12 @@ const Words<TableNoise> &noise_words()
   return words;
 }
 
-bool has_column(const CsvTable &table, const std::string &name)
+/// Of a value that is not positive, whose logarithm a fit with relative noise needs.
+std::string remedy_of_sign(const TableNoise noise)
 {
-  for (std::size_t column = 0; column < table.n_columns(); ++column)
-    if (table.name(column) == name)
-      return true;
-  return false;
-}
-
-/// Times since the start of the load; refuses those before it.
-std::vector<double> times_of_table(const CsvTable &table)
-{
-  const std::size_t column = table.find("time");
-  const std::vector<double> times =
-      table.increasing_values(column, Dimensions::time, "time", "later");
-  if (!times.empty() && times.front() < 0.)
-    table.refuse(0, column, "the time is negative: the load begins at time 0",
-                 "Let time 0 be the start of the load, and remove the rows before it");
-  return times;
-}
-
-/// Refuses a value that is not positive, which the logarithm of a law, or noise that is a share of
-/// the value, would need.
-void require_positive(const CsvTable &table,
-                      const std::size_t row,
-                      const std::size_t column,
-                      const double value,
-                      const TableNoise noise)
-{
-  if (noise == TableNoise::relative && !(value > 0.))
-    table.refuse(row, column,
-                 "the " + table.name(column) + " must be positive where the noise is relative",
-                 "Remove the row, turn the sign of all, or set Noise = even");
+  return noise == TableNoise::relative
+             ? "Remove the row, change the sign of all values, or set Noise = even"
+             : "";
 }
 
 void set_even_noise(BarRecord &record)
@@ -64,33 +35,6 @@ void set_even_noise(BarRecord &record)
   for (const double value : record.values)
     largest = std::max(largest, std::abs(value));
   record.noise_units.assign(record.values.size(), largest);
-}
-
-/// `key`: the entry by which the values of the table were divided.
-void check_rows(const CsvTable &table,
-                const BarRecord &record,
-                const std::size_t n_rows,
-                const ParameterSection &section,
-                const std::string &key)
-{
-  if (n_rows < fewest_rows)
-    throw InputError(table.header(), "",
-                     "the table has " + std::to_string(n_rows) +
-                         " rows that can be used, and a fit needs " + std::to_string(fewest_rows) +
-                         "; rows up to the end of the loading are not used",
-                     "Give more rows");
-  if (std::all_of(record.values.begin(), record.values.end(),
-                  [](const double value) { return value == 0.; }))
-    throw InputError(table.header(), "", "all values are 0", "Give the values that were measured");
-  // Far beyond every material there is, and where powers of it can no longer be held.
-  constexpr double largest_modulus = 1e15, smallest_modulus = 1e-9;
-  for (const double value : record.values)
-    if (const double modulus = std::abs(record.quantity == BarQuantity::creep ? 1. / value : value);
-        value != 0. && !(modulus <= largest_modulus && modulus >= smallest_modulus))
-      section.refuse(key,
-                     "the table gives a modulus of " + shortest_number(modulus) +
-                         " Pa, which no material has",
-                     "Check this entry and the units of the table");
 }
 } // namespace
 
@@ -109,65 +53,8 @@ void MaterialFitParameters::take(const BarRecord &record,
 
 void MaterialFitParameters::read_relaxation(ParameterSection &section)
 {
-  std::string file;
-  section.add_input_file("Relaxation table", file,
-                         "A csv file of a relaxation test with the columns time and force or "
-                         "stress, units in its header. Time 0 is the start of the loading.");
-  double cross_section = std::numeric_limits<double>::quiet_NaN(), strain = cross_section,
-         loading_time = 0.;
-  section.add("Cross-section", cross_section, Dimensions::area,
-              "Cross-section of the specimen of the relaxation table. Required for forces.",
-              Range::positive());
-  section.add("Strain", strain, Dimensions::none,
-              "Strain that is held in the relaxation table. Required for this table.",
-              Range::positive());
-  section.add("Loading time", loading_time, Dimensions::time,
-              "Time in which the strain of the relaxation table rises evenly from 0, at time 0. "
-              "The fit takes the loading into account; rows up to its end are left out.",
-              Range::not_negative());
-  if (file.empty())
-  {
-    for (const char *key : {"Cross-section", "Strain", "Loading time"})
-      if (section.given(key))
-        section.refuse(key, "there is no relaxation table to which this belongs",
-                       "Add 'set Relaxation table = FILE', or remove it");
-    return;
-  }
-  section.require("Strain");
-  const CsvTable table(file, "time [s], stress [kPa]");
-  const std::vector<double> times = times_of_table(table);
-  const bool is_force = has_column(table, "force");
-  if (is_force == has_column(table, "stress"))
-    throw InputError(table.header(), "",
-                     std::string(is_force ? "both 'force' and 'stress' are columns"
-                                          : "neither 'force' nor 'stress' is a column") +
-                         "; the columns are " + table.names(),
-                     "Give one of them, as in 'time [s], stress [kPa]'");
-  if (is_force)
-    section.require("Cross-section");
-  else if (section.given("Cross-section"))
-    section.refuse("Cross-section", "the relaxation table has stresses, which need none",
-                   "Remove it");
-  const std::size_t column = table.find(is_force ? "force" : "stress");
-  const std::vector<double> loads =
-      table.values(column, is_force ? force_of_a_bar : Dimensions::pressure);
-  BarRecord record;
-  record.loading_time = loading_time;
-  std::size_t left_out = 0;
-  for (std::size_t row = 0; row < times.size(); ++row)
-  {
-    if (times[row] <= loading_time)
-    {
-      ++left_out;
-      continue;
-    }
-    require_positive(table, row, column, loads[row], noise);
-    record.abscissae.push_back(times[row]);
-    record.values.push_back(loads[row] / (strain * (is_force ? cross_section : 1.)));
-  }
-  record.noise_units = record.values;
-  check_rows(table, record, record.values.size(), section, "Strain");
-  take(record, "Relaxation table", left_out);
+  if (const auto test = BarRelaxation::read(section, remedy_of_sign(noise)))
+    take(test->record, "Relaxation table", test->n_left_out);
 }
 
 void MaterialFitParameters::read_creep(ParameterSection &section)
@@ -189,7 +76,7 @@ void MaterialFitParameters::read_creep(ParameterSection &section)
   }
   section.require("Stress");
   const CsvTable table(file, "time [s], strain [1]");
-  const std::vector<double> times = times_of_table(table);
+  const std::vector<double> times = times_of_bar_table(table);
   const std::size_t column = table.find("strain");
   const std::vector<double> strains = table.values(column, Dimensions::none);
   BarRecord record;
@@ -202,12 +89,12 @@ void MaterialFitParameters::read_creep(ParameterSection &section)
       ++left_out;
       continue;
     }
-    require_positive(table, row, column, strains[row], noise);
+    require_positive_value(table, row, column, strains[row], remedy_of_sign(noise));
     record.abscissae.push_back(times[row]);
     record.values.push_back(strains[row] / stress);
   }
   record.noise_units = record.values;
-  check_rows(table, record, record.values.size(), section, "Stress");
+  check_bar_record(table, record, record.values.size(), section, "Stress");
   take(record, "Creep table", left_out);
 }
 
@@ -240,7 +127,7 @@ void MaterialFitParameters::read_moduli(ParameterSection &section)
                    "Check the columns and their signs");
     if (is_negative && loss[row] < 0.)
       table.refuse(row, loss_column, "the loss modulus of a solid is positive",
-                   "Turn the sign of the column");
+                   "Change the sign of the column");
     const double magnitude = std::hypot(storage[row], loss[row]);
     for (const double value : {storage[row], loss[row]})
     {
@@ -249,7 +136,7 @@ void MaterialFitParameters::read_moduli(ParameterSection &section)
       record.noise_units.push_back(magnitude);
     }
   }
-  check_rows(table, record, frequencies.size(), section, "Modulus table");
+  check_bar_record(table, record, frequencies.size(), section, "Modulus table");
   take(record, "Modulus table", 0);
 }
 
@@ -259,13 +146,18 @@ void MaterialFitParameters::read(ParameterSection section)
   laws.insert(laws.begin(), "best");
   section.add_choice("Law", law, laws,
                      "The law that is written as a material: best - the one with the least "
-                     "information criterion; or a Type of a material. All laws are fitted and "
+                     "information criterion, where the Prony series has its fewest branches by "
+                     "the rule of 'Branches'; or a Type of a material. All laws are fitted and "
                      "compared.");
   section.add("Branches", n_branches,
-              "Branches of the Prony series beside its spring [1]; 0: as many as have the least "
-              "information criterion.",
+              "Branches of the Prony series beside its spring [1]; 0: the fewest whose "
+              "information criterion is at most 2 above the least one. More than 0 take the Prony "
+              "series, also with Law = best.",
               0, 20);
-  section.add("Most branches", most_branches, "Most branches that are tried [1].", 1, 20);
+  section.add("Most branches", most_branches,
+              "Most branches that are tried [1]. A series with more constants than half of the "
+              "values of the tables is left out.",
+              1, 20);
   section.add("Poisson's ratio", poissons_ratio, Dimensions::none,
               "Poisson's ratio nu of the material, which these tests do not show; 0.5 is "
               "incompressible. Of laws that relax it is the same at all times.",

@@ -230,6 +230,7 @@ std::vector<Source> sources()
       {"Identification",
        "Which numbers of the file are sought, and what is known of the noise.",
        {"Identification/Parameters/<number>/Entry=Geometry/Wall thickness",
+        "Identification/Material tests/<test>/Material=wall",
         "Identification/Noise/<field>=from rest", "Identification/Expected noise/<field>=1 Pa",
         "Identification/Correlation time=1 ms", "Identification/Model error=simulation",
         "Identification/Entries of the other model/<entry>=1",

@@ -77,6 +77,7 @@ void Identification::read_case()
                                             "Add a probe with Stations, Fields and Measured");
   read_sought();
   measured = StationRecords::measured(input, parameters, sought, section(), by_theory);
+  read_tests();
   if (parameters.is_design())
     expected = StationRecords::expected(input, parameters, section());
   read_candidates();
@@ -103,6 +104,23 @@ void Identification::read_sought()
         "Parameters", "nothing is sought",
         "Add 'subsection Parameters' with a subsection for each number, in which Entry "
         "names it");
+}
+
+void Identification::read_tests()
+{
+  ParameterSection materials = file.root().subsection("Materials");
+  for (const MaterialTest &test : parameters.tests)
+  {
+    if (!materials.has_subsection(test.material))
+      section()
+          .subsection("Material tests")
+          .subsection(test.name)
+          .refuse("Material", "the file has no material '" + test.material + "'",
+                  choices(test.material, materials.subsections()));
+    measured.records.push_back(test.data_record());
+  }
+  tests = std::make_unique<MaterialTestModel>(without_data(command_line), model_of(general.model),
+                                              parameters.tests);
 }
 
 void Identification::read_candidates()
@@ -228,10 +246,22 @@ std::unique_ptr<ForwardModel> Identification::make_model(const bool theory,
                                                          const std::string &runs) const
 {
   if (!theory)
-    return std::make_unique<SimulationModel>(command_line, directory, columns,
-                                             n_threads_of(parameters), runs);
+    return std::make_unique<SimulationModel>(
+        command_line, directory, columns, n_threads_of(parameters), runs, memory_of_simulation());
   return std::make_unique<TheoryModel>(analyses, command_line, n_dimensions,
                                        n_threads_of(parameters));
+}
+
+double Identification::memory_of_simulation() const
+{
+  CommandLine checking = without_data(command_line);
+  set_entry(checking, "Analysis", "transient");
+  // Its own or of the other model, which has the same mesh in most cases.
+  for (const auto &[path, value] : parameters.other_entries)
+    set_entry(checking, path, value);
+  checking.validate = true;
+  ParameterFile of_run(checking.parameter_file, checking.overrides);
+  return analyses.make(of_run, checking, communicator)->estimated_memory();
 }
 
 std::vector<FitParameter> Identification::fit_parameters() const
@@ -269,7 +299,7 @@ void Identification::compute(const OutputDirectory &directory, Log &log, Summary
              (measured.n_left_out > 0 ? "; " + std::to_string(measured.n_left_out) +
                                             " rows outside the time of the run are left out"
                                       : ""));
-    StationFitModel of_data(*model, sought, measured, probes);
+    StationFitModel of_data(*model, sought, measured, probes, {}, tests.get());
     for (const std::string &note : measured.notes)
       log.line(note);
     fit(of_data, directory, log, results);

@@ -153,6 +153,12 @@ void IdentificationParameters::read(ParameterSection root)
     sought.emplace_back();
     sought.back().read(family.subsection(name));
   }
+  ParameterSection tests_family = section.subsection("Material tests");
+  for (const std::string &name : tests_family.subsections())
+  {
+    tests.emplace_back();
+    tests.back().read(tests_family.subsection(name));
+  }
   read_noise(section, *this);
   read_fit(section, *this);
   add_choice(section, "Model error", other_model, other_model_words(),
@@ -182,6 +188,15 @@ void IdentificationParameters::check(ParameterSection root) const
     section.subsection("Entries of the other model")
         .refuse(other_entries.front().first, "there is no other model",
                 "Set Model error, or remove the entry");
+  for (const MaterialTest &test : tests)
+  {
+    ParameterSection of_test = section.subsection("Material tests").subsection(test.name);
+    of_test.require("Relaxation table");
+    if (is_design())
+      of_test.refuse("", "a test of the material is no part of the design of an experiment",
+                     "Remove the subsection, or the subsection 'Expected noise'; what a test says "
+                     "of a number can be its Prior mean and Prior standard deviation");
+  }
   const auto is_from_rest = [](const auto &deviation) { return deviation.second == "from rest"; };
   if (std::any_of(noise.deviations.begin(), noise.deviations.end(), is_from_rest))
     section.require("Rest until");

@@ -121,7 +121,7 @@ void Identification::find_bias(const OutputDirectory &directory,
   const auto predicted =
       [&](ForwardModel &model, const std::vector<std::pair<std::string, std::string>> &entries)
   {
-    StationFitModel of_data(model, sought, measured, probes, entries);
+    StationFitModel of_data(model, sought, measured, probes, entries, tests.get());
     const FitModel::Prediction prediction = of_data.predict({results.fit->estimates}).front();
     if (!prediction.failure.empty())
       throw RunError("the bias cannot be told, since " + model.name() +

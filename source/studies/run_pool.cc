@@ -136,7 +136,7 @@ std::string failure_of(const int status, const std::string &screen)
   const std::string said = last_words(screen);
   if (status > 0)
     return said.empty() ? "it ended with the status " + std::to_string(status) : said;
-  return "it was ended by the signal '" + std::string(::strsignal(-status)) + "'" +
+  return ended_by_signal + " '" + std::string(::strsignal(-status)) + "'" +
          (status == -SIGKILL ? ", as by the system where memory is at its end" : "") +
          (said.empty() ? "" : "; it said last: " + said);
 }
@@ -170,6 +170,7 @@ start(const std::string &program, const PlannedRun &plan, const std::string &scr
 }
 } // namespace
 
+const std::string ended_by_signal = "it was ended by the signal";
 const std::string among_runs =
     "among the runs of the study; --restart goes on with those that are not finished";
 

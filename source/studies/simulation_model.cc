@@ -54,12 +54,16 @@ SimulationModel::SimulationModel(const CommandLine &of_file,
                                  const OutputDirectory &directory,
                                  std::vector<ProbeColumns> probes,
                                  const unsigned int n_parallel,
-                                 std::string name_of_runs)
+                                 std::string name_of_runs,
+                                 const double memory,
+                                 std::string program)
     : command_line(without_data(of_file)),
       directory(directory),
       probes(std::move(probes)),
       n_parallel(n_parallel),
-      name_of_runs(std::move(name_of_runs))
+      name_of_runs(std::move(name_of_runs)),
+      memory(memory),
+      program(std::move(program))
 {
   command_line.overwrite = true;
   for (const auto &[path, value] :
@@ -68,21 +72,22 @@ SimulationModel::SimulationModel(const CommandLine &of_file,
     set_entry(command_line, path, value);
 }
 
-PlannedRun SimulationModel::plan(const Settings &settings)
+SimulationModel::Plan SimulationModel::plan(const Settings &settings)
 {
-  PlannedRun result;
-  result.name = name_of_runs + "-" + std::to_string(++n_runs);
-  result.command_line = command_line;
-  directory.file_of_case(result.name + "/");
-  result.command_line.output_directory = directory.path() + "/" + result.name;
+  PlannedRun run;
+  run.name = name_of_runs + "-" + std::to_string(++n_runs);
+  run.memory = memory;
+  run.command_line = command_line;
+  directory.file_of_case(run.name + "/");
+  run.command_line.output_directory = directory.path() + "/" + run.name;
   for (const auto &[path, value] : settings)
-    set_entry(result.command_line, path, value);
-  return result;
+    set_entry(run.command_line, path, value);
+  return {run, settings};
 }
 
 void SimulationModel::run(const std::vector<Settings> &all)
 {
-  std::vector<PlannedRun> plans;
+  std::vector<Plan> plans;
   std::vector<Settings> planned;
   for (const Settings &settings : all)
     if (histories.count(settings) == 0 && failures.count(settings) == 0 &&
@@ -91,20 +96,41 @@ void SimulationModel::run(const std::vector<Settings> &all)
       plans.push_back(plan(settings));
       planned.push_back(settings);
     }
-  RunPool(n_parallel)
+  std::vector<Plan> again;
+  for (const auto &[ended, failure] : perform(plans, n_parallel))
+    again.push_back(ended);
+  // The memory may be enough for each of them alone.
+  for (const auto &[ended, failure] : perform(again, 1))
+    throw RunError("the run " + ended.run.name + " was tried twice, and " + failure +
+                   ". This says nothing of its numbers, and is not kept: free memory, or take a "
+                   "coarser mesh; --restart goes on");
+}
+
+std::vector<std::pair<SimulationModel::Plan, std::string>>
+SimulationModel::perform(const std::vector<Plan> &plans, const unsigned int n_at_a_time)
+{
+  std::vector<PlannedRun> runs;
+  for (const Plan &plan : plans)
+    runs.push_back(plan.run);
+  std::vector<std::pair<Plan, std::string>> ended;
+  RunPool(n_at_a_time, program)
       .perform(
-          plans, [](unsigned int) {},
+          runs, [](unsigned int) {},
           [&](const unsigned int number, const std::string &failure)
           {
-            const std::string &folder = plans[number].command_line.output_directory;
-            if (!failure.empty())
+            const Plan &plan = plans[number];
+            const std::string &folder = plan.run.command_line.output_directory;
+            if (failure.compare(0, ended_by_signal.size(), ended_by_signal) == 0)
+              ended.emplace_back(plan, failure);
+            else if (!failure.empty())
+              failures[plan.settings] = failure;
+            else
             {
-              failures[planned[number]] = failure;
-              return;
+              histories[plan.settings] = read_run_columns(folder + "/probes.csv");
+              std::filesystem::remove_all(folder);
             }
-            histories[planned[number]] = read_run_columns(folder + "/probes.csv");
-            std::filesystem::remove_all(folder);
           });
+  return ended;
 }
 
 std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQuestion> &questions)

@@ -10,11 +10,13 @@ StationFitModel::StationFitModel(ForwardModel &model,
                                  const std::vector<SoughtEntry> &sought,
                                  const StationRecords &records,
                                  const std::vector<std::string> &probes,
-                                 std::vector<std::pair<std::string, std::string>> further)
+                                 std::vector<std::pair<std::string, std::string>> further,
+                                 const MaterialTestModel *const tests)
     : model(model),
       sought(sought),
       records(records),
       further(std::move(further)),
+      tests(tests),
       clocks(probes.size(), none),
       times(probes.size())
 {
@@ -22,7 +24,7 @@ StationFitModel::StationFitModel(ForwardModel &model,
     for (unsigned int i = 0; i < sought.size(); ++i)
       if (sought[i].clock_of() == probes[p])
         clocks[p] = i;
-  for (std::size_t r = 0; r < records.records.size(); ++r)
+  for (std::size_t r = 0; r < records.sources.size(); ++r)
   {
     std::vector<double> &all = times[records.sources[r].probe];
     all.insert(all.end(), records.records[r].times.begin(), records.records[r].times.end());
@@ -32,7 +34,7 @@ StationFitModel::StationFitModel(ForwardModel &model,
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
   }
-  for (std::size_t r = 0; r < records.records.size(); ++r)
+  for (std::size_t r = 0; r < records.sources.size(); ++r)
   {
     const std::vector<double> &all = times[records.sources[r].probe];
     places.emplace_back();
@@ -43,6 +45,8 @@ StationFitModel::StationFitModel(ForwardModel &model,
 
 double StationFitModel::shift_of(const unsigned int record, const std::vector<double> &set) const
 {
+  if (record >= records.sources.size())
+    return 0.; // of a material test
   const unsigned int clock = clocks[records.sources[record].probe];
   return clock == none ? 0. : set[clock];
 }
@@ -82,7 +86,7 @@ FitModel::Prediction StationFitModel::prediction(const ForwardAnswer &answer) co
   result.failure = answer.failure;
   if (!result.failure.empty())
     return result;
-  for (std::size_t r = 0; r < records.records.size(); ++r)
+  for (std::size_t r = 0; r < records.sources.size(); ++r)
   {
     const RecordSource &source = records.sources[r];
     const std::vector<double> &history =
@@ -113,7 +117,11 @@ StationFitModel::predict(const std::vector<std::vector<double>> &sets)
   }
   const std::vector<ForwardAnswer> answers = model.answers(questions);
   for (std::size_t q = 0; q < answers.size(); ++q)
+  {
     predictions[asked[q]] = prediction(answers[q]);
+    if (tests != nullptr)
+      tests->append(questions[q].settings, predictions[asked[q]]);
+  }
   return predictions;
 }
 } // namespace Continua

@@ -148,11 +148,14 @@ std::vector<BarLawFit> fit_prony_series_to_bar(const double poissons_ratio,
   unsigned int n_worse = 0;
   for (const BarLawStart &start : starts_of_prony(poissons_ratio, records, most_branches))
   {
-    if (start.constants.size() >= n_values || n_worse == 2)
+    if (start.constants.size() > most_constants_per_value * n_values || n_worse == 2)
       break;
     try
     {
-      fits.push_back(fit_bar_law(start, records));
+      const BarLawFit fit = fit_bar_law(start, records);
+      if (!fit.result.converged)
+        continue;
+      fits.push_back(fit);
     }
     catch (const RunError &)
     {

@@ -1,5 +1,6 @@
 #include <continua/theory/bar_law_start.h>
 
+#include <continua/base/input_error.h>
 #include <continua/base/nonnegative_least_squares.h>
 #include <continua/theory/uniaxial_spectrum.h>
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 namespace Continua
 {
@@ -105,7 +107,14 @@ public:
     std::vector<std::vector<double>> columns = {column(std::numeric_limits<double>::infinity())};
     for (const double time : times)
       columns.push_back(column(time));
-    return nonnegative_least_squares(columns, measured);
+    try
+    {
+      return nonnegative_least_squares(columns, measured);
+    }
+    catch (const std::runtime_error &error)
+    {
+      throw RunError(error.what());
+    }
   }
 
   /// Spring and moduli [Pa] and relaxation times [s] of a solution, the longest time first.

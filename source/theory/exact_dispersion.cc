@@ -2,6 +2,7 @@
 
 #include <continua/theory/arb_headers.h>
 #include <continua/theory/constants.h>
+#include <continua/theory/cylinder_functions.h>
 #include <continua/theory/womersley.h>
 
 #include <deal.II/base/numbers.h>
@@ -24,15 +25,6 @@ Ball bessel_j(const unsigned int order, const Ball &argument)
 {
   Ball result;
   acb_hypgeom_bessel_j(result.number, Ball(order).number, argument.number, Ball::precision);
-  return result;
-}
-
-/// J and Y of one order.
-std::pair<Ball, Ball> bessel_jy(const unsigned int order, const Ball &argument)
-{
-  std::pair<Ball, Ball> result;
-  acb_hypgeom_bessel_jy(result.first.number, result.second.number, Ball(order).number,
-                        argument.number, Ball::precision);
   return result;
 }
 
@@ -175,8 +167,7 @@ ExactDispersion::Column ExactDispersion::column(const Layer &layer,
   return result;
 }
 
-ExactDispersion::Columns
-ExactDispersion::core_columns(const Layer &fluid, const Ball &radius, const Ball &scale) const
+ExactDispersion::Columns ExactDispersion::core_columns(const Layer &fluid, const Ball &radius) const
 {
   const Ball zero = 0.;
   const Ball argument = fluid.q_l * radius;
@@ -186,11 +177,10 @@ ExactDispersion::core_columns(const Layer &fluid, const Ball &radius, const Ball
   if (section.fluid.shear.viscosity > 0.)
   {
     const Ball shear_argument = fluid.q_s * radius;
-    // Scaled, since it grows exponentially towards the wall.
-    const Ball scaled = bessel_j(0, fluid.q_s * scale);
-    columns.push_back(column(fluid, radius, zero, zero,
-                             bessel_j(1, shear_argument) / (fluid.q_s * scaled),
-                             bessel_j(0, shear_argument) / scaled));
+    // Scaled to one at the wall, since it grows exponentially towards it.
+    columns.push_back(
+        column(fluid, radius, zero, zero,
+               bessel_j(1, shear_argument) / (fluid.q_s * bessel_j(0, shear_argument)), Ball(1.)));
   }
   return columns;
 }
@@ -198,23 +188,19 @@ ExactDispersion::core_columns(const Layer &fluid, const Ball &radius, const Ball
 ExactDispersion::Columns ExactDispersion::wall_columns(const Layer &wall, const Ball &radius) const
 {
   const Ball zero = 0.;
-  const Ball argument = wall.q_l * radius, shear_argument = wall.q_s * radius;
-  const auto [j0, y0] = bessel_jy(0, argument);
-  const auto [j1, y1] = bessel_jy(1, argument);
-  const auto [shear_j0, shear_y0] = bessel_jy(0, shear_argument);
-  const auto [shear_j1, shear_y1] = bessel_jy(1, shear_argument);
+  const CylinderFunctions of_l(wall.q_l * radius), of_s(wall.q_s * radius);
   // Scaled to be even in q, so that the sign of the square root does not matter.
-  return {column(wall, radius, j0, -wall.q_l * j1, zero, zero),
-          column(wall, radius, y0, -wall.q_l * y1, zero, zero),
-          column(wall, radius, zero, zero, shear_j1 / wall.q_s, shear_j0),
-          column(wall, radius, zero, zero, shear_y1 * wall.q_s, shear_y0 * wall.q_s * wall.q_s)};
+  return {column(wall, radius, of_l.j0, -wall.q_l * of_l.j1, zero, zero),
+          column(wall, radius, of_l.y0, -wall.q_l * of_l.y1, zero, zero),
+          column(wall, radius, zero, zero, of_s.j1 / wall.q_s, of_s.j0),
+          column(wall, radius, zero, zero, of_s.y1 * wall.q_s, of_s.y0 * wall.q_s * wall.q_s)};
 }
 
 ExactDispersion::Matrix ExactDispersion::conditions(const Complex &omega, const Complex &k) const
 {
   const bool viscous = section.fluid.shear.viscosity > 0.;
   const Layer fluid = layer(section.fluid, omega, k);
-  const Columns core = core_columns(fluid, Ball(radii[0]), Ball(radii[0]));
+  const Columns core = core_columns(fluid, Ball(radii[0]));
   const unsigned int n_core = core.size(), n_layers = section.layers.size();
   const unsigned int n = n_core + 4 * n_layers;
   Matrix matrix(n, std::vector<Ball>(n));
@@ -444,7 +430,7 @@ WaveMode ExactDispersion::uncertain_mode(const Family family,
   }
   const double radius = radii[0];
   const Layer fluid = layer(section.fluid, omega, wave_number);
-  const Columns core = core_columns(fluid, Ball(radius), Ball(radius));
+  const Columns core = core_columns(fluid, Ball(radius));
   const unsigned int n_core = core.size();
   const auto sum =
       [&amplitudes](const Columns &columns, const unsigned int first, const Ball Column::*what)

@@ -363,10 +363,37 @@ void test_refusals()
                                               check::matches(found.notes[0], "failed.*beyond 3"));
   }
 }
+
+/// The model has values on a line of its parameters only, so that it has no derivatives.
+void test_without_derivatives()
+{
+  const Values x = {0., 1., 2.};
+  FunctionModel line(
+      [&x](const Values &b) -> Values
+      {
+        if (b[0] != b[1])
+          throw std::runtime_error("beside the line");
+        return x;
+      });
+  auto parameters = parameters_of({1., 1.}, FitParameter::Scale::linear);
+  const FitResult found =
+      LeastSquaresFit(parameters, {record_of(x, {0.1, 1., 2.}, 0.1)}, line, tight_options())
+          .solve();
+  check::is_true("it did not converge", !found.converged);
+  check::is_true("there are free ones", found.free.size() == 2);
+  check::is_true("no standard errors", std::isnan(found.standard_errors[0]));
+  check::is_true("a correlation of their size",
+                 found.correlation.m() == 2 && found.correlation.n() == 2 &&
+                     std::isnan(found.correlation(0, 1)) && std::isnan(found.covariance(1, 1)));
+  check::is_true("and a note", std::any_of(found.notes.begin(), found.notes.end(),
+                                           [](const std::string &note)
+                                           { return check::matches(note, "no standard errors"); }));
+}
 } // namespace
 
 UNIT_TEST(least_squares_fit)
 {
+  test_without_derivatives();
   test_reference_data();
   test_straight_line();
   test_starts_and_replay();

@@ -3,6 +3,7 @@
 
 #include <continua/theory/bar_law_fit.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -146,6 +147,21 @@ UNIT_TEST(bar_law_fit)
     check::equal("simplest", std::to_string(simplest_of(three).law.n_branches), "2");
     three[1].criterion = -297.9;
     check::equal("no other is as good", std::to_string(simplest_of(three).law.n_branches), "3");
+  }
+  {
+    // Fifteen rows without noise from glass to rubber have no end of branches.
+    BarRecord glass;
+    for (unsigned int i = 0; i < 15; ++i)
+    {
+      glass.abscissae.push_back(std::pow(10., -3. + 0.4 * i));
+      glass.values.push_back(1e6 + 1e9 / (1. + glass.abscissae.back()));
+    }
+    glass.noise_units = glass.values;
+    glass.is_logarithmic = true;
+    std::size_t most = 0;
+    for (const BarLawFit &fit : fit_prony_series_to_bar(0.5, {glass}, 8))
+      most = std::max(most, fit.parameters.size());
+    check::equal("constants of fifteen values", std::to_string(most), "7");
   }
   BarRecord few = record_of(prony, series, BarQuantity::relaxation, 0.003);
   few.abscissae.resize(5);

@@ -49,10 +49,10 @@ public:
   void load(const ArchiveReader &archive, Problem &problem, const TimeParameters &time);
 
 private:
-  std::map<std::string, RelaxationFit> tables;         ///< by region
-  std::map<std::string, std::string> warnings_of_laws; ///< what compares laws, by region
-  std::map<std::string, PronySeries> series;           ///< of the shear modulus, by region
-  double smallest_step = 0.;                           ///< [s]
+  std::map<std::string, RelaxationFit> tables; ///< by region
+  std::map<std::string, RelaxationTest> tests; ///< the tables' rows, by region
+  std::map<std::string, PronySeries> series;   ///< of the shear modulus, by region
+  double smallest_step = 0.;                   ///< [s]
 };
 
 /// What to warn of where a region's power law misses its relaxation table, or its Prony series the
@@ -60,7 +60,8 @@ private:
 std::string warning_of_relaxation_table(const std::string &region, double misfit);
 std::string warning_of_prony_series(const std::string &region, double error);
 /// What to warn of where a Prony series follows a region's relaxation table very clearly better
-/// than the power law, by Schwarz's criterion (fit_prony_series_to_bar()); else empty.
+/// than the power law, by Schwarz's criterion (fit_prony_series_to_bar()); else empty, also where
+/// the comparison fails, which must not end a run.
 std::string warning_of_better_series(const std::string &region, const RelaxationTest &test);
 } // namespace Continua
 

@@ -58,7 +58,8 @@ struct FitResult
   std::vector<bool> at_bound;
   std::vector<unsigned int>
       free; ///< indices of the parameters that are neither held nor at a bound
-  dealii::FullMatrix<double> covariance;  ///< of the coordinates of the free ones
+  /// Of the coordinates of the free ones; NaN if the derivatives at the end were not found.
+  dealii::FullMatrix<double> covariance;
   dealii::FullMatrix<double> correlation; ///< the same [1]
 
   double misfit; ///< chi-square: sum of the squared whitened residuals, and priors
@@ -73,8 +74,9 @@ struct FitResult
   std::string stop_reason;
   unsigned int n_iterations;
   unsigned int n_evaluations;
-  unsigned int n_failures;        ///< evaluations that failed and whose step was refused
-  std::vector<std::string> notes; ///< what a reader must know: failures, noise, bounds
+  unsigned int n_failures;         ///< evaluations that failed and whose step was refused
+  std::vector<std::string> notes;  ///< what a reader must know: failures, noise, bounds
+  std::vector<std::string> doubts; ///< those of the notes by which the standard errors are wrong
   std::vector<FlatDirection> flat_directions;
   std::vector<RecordFit> records;
   std::vector<FitStart> starts;

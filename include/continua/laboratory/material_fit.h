@@ -32,6 +32,8 @@ private:
 
   /// Every rank does it, and rank 0 writes.
   void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
+  /// Of the section, by which the file asks for a law; "Branches" takes the Prony series.
+  std::string key_of_choice() const;
   void check_law(const ParameterSection &section) const;
   void name_quantities();
   /// Of each law that the tables can tell; says which they cannot.

@@ -42,6 +42,7 @@ private:
   std::vector<ProbeColumns> columns; ///< of these
   std::vector<SoughtEntry> sought;
   StationRecords measured, expected;
+  std::unique_ptr<MaterialTestModel> tests;
   std::vector<std::vector<unsigned int>> candidates; ///< records of `expected` that may be added
   std::vector<unsigned int> always;                  ///< records of `expected` that are there
   QuantityNames quantities;                          ///< that it can state
@@ -52,6 +53,7 @@ private:
   void choose_model();
   void read_sought();
   void read_candidates();
+  void read_tests();
   void check_numbers() const;
   void check_other_model() const;
   template <int dim>
@@ -60,6 +62,8 @@ private:
   /// `runs`: what the folders of a simulation are called.
   std::unique_ptr<ForwardModel>
   make_model(bool theory, const OutputDirectory &directory, const std::string &runs) const;
+  /// What a run in time of the file may need [B].
+  double memory_of_simulation() const;
   std::vector<FitParameter> fit_parameters() const;
   FitOptions fit_options() const;
 

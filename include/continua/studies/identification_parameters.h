@@ -5,6 +5,7 @@
 #include <continua/base/parameter_section.h>
 #include <continua/inference/fit_options.h>
 #include <continua/inference/fit_parameter.h>
+#include <continua/studies/material_test.h>
 
 #include <string>
 #include <utility>
@@ -53,6 +54,7 @@ struct IdentificationParameters
 {
   PredictingModel model = PredictingModel::automatic;
   std::vector<SoughtNumber> sought;
+  std::vector<MaterialTest> tests;
   NoiseEntries noise;
   NoiseEntries expected_noise;
   double rest_until = 0.;       ///< [s] in the time of the tables: rows before it are at rest

@@ -47,6 +47,9 @@ private:
   std::string program;
 };
 
+/// What the failure of a run begins with that a signal has ended: it says nothing of its input.
+extern const std::string ended_by_signal;
+
 /// Where a study was interrupted, and what the user can do.
 extern const std::string among_runs;
 

@@ -31,18 +31,23 @@ struct RunColumns
  * The run in time of a file as a model: each set of entries is a run of its own, in a process and a
  * folder of its own, as many at a time as there are cores. Its histories are those of probes.csv,
  * between the steps by cubics. They are kept: other times need no other run. The folder of a run
- * that has ended well is removed again.
+ * that has ended well is removed again. A run that a signal has ended, for example for want of
+ * memory, says nothing of its numbers: it is tried again, alone.
  */
 class SimulationModel : public ForwardModel
 {
 public:
-  /// `directory`: of the study, which gets the folders "NAME-1", "NAME-2" ...
+  /// `directory`: of the study, which gets the folders "NAME-1", "NAME-2" ... `memory` [B]: what a
+  /// run may need. `program`: its path; another one for tests.
   SimulationModel(const CommandLine &command_line,
                   const OutputDirectory &directory,
                   std::vector<ProbeColumns> probes,
                   unsigned int n_parallel,
-                  std::string name_of_runs);
+                  std::string name_of_runs,
+                  double memory,
+                  std::string program = "/proc/self/exe");
 
+  /// Throws RunError if a run that is tried again is ended by a signal again.
   std::vector<ForwardAnswer> answers(const std::vector<ForwardQuestion> &questions) override;
   std::string name() const override { return "simulation"; }
 
@@ -52,14 +57,25 @@ private:
   std::vector<ProbeColumns> probes;
   unsigned int n_parallel;
   std::string name_of_runs;
+  double memory; ///< [B]
+  std::string program;
   unsigned int n_runs = 0;
   using Settings = std::vector<std::pair<std::string, std::string>>;
   std::map<Settings, RunColumns> histories; ///< of the runs that ended well
   std::map<Settings, std::string> failures; ///< of the others
 
-  PlannedRun plan(const Settings &settings);
+  /// A run and what it is of.
+  struct Plan
+  {
+    PlannedRun run;
+    Settings settings;
+  };
+  Plan plan(const Settings &settings);
   /// Performs the runs for what is not known.
   void run(const std::vector<Settings> &all);
+  /// So many at a time; those that a signal has ended, and their failures.
+  std::vector<std::pair<Plan, std::string>> perform(const std::vector<Plan> &plans,
+                                                    unsigned int n_at_a_time);
   ForwardAnswer answer(const RunColumns &table, const ForwardQuestion &question) const;
 };
 } // namespace Continua

@@ -3,6 +3,7 @@
 
 #include <continua/inference/fit_model.h>
 #include <continua/studies/forward_model.h>
+#include <continua/studies/material_test.h>
 #include <continua/studies/sought_number.h>
 #include <continua/studies/station_records.h>
 
@@ -16,12 +17,14 @@ class StationFitModel : public FitModel
 {
 public:
   /// `probes`: the names of all probes with stations. `further`: entries with their values, beside
-  /// those of the numbers. All must outlive it.
+  /// those of the numbers. `tests`: of materials, whose records are those behind the ones with a
+  /// source. All must outlive it.
   StationFitModel(ForwardModel &model,
                   const std::vector<SoughtEntry> &sought,
                   const StationRecords &records,
                   const std::vector<std::string> &probes,
-                  std::vector<std::pair<std::string, std::string>> further = {});
+                  std::vector<std::pair<std::string, std::string>> further = {},
+                  const MaterialTestModel *tests = nullptr);
 
   std::vector<Prediction> predict(const std::vector<std::vector<double>> &sets) override;
   /// The entries of the file for these numbers.
@@ -34,6 +37,7 @@ private:
   const std::vector<SoughtEntry> &sought;
   const StationRecords &records;
   std::vector<std::pair<std::string, std::string>> further;
+  const MaterialTestModel *tests;
   static constexpr unsigned int none = -1;
   std::vector<unsigned int> clocks;             ///< by probe: the number that is its shift
   std::vector<std::vector<double>> times;       ///< [s] by probe, of all of its records

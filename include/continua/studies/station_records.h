@@ -26,7 +26,7 @@ struct RecordSource
 struct StationRecords
 {
   std::vector<DataRecord> records;
-  std::vector<RecordSource> sources; ///< of each
+  std::vector<RecordSource> sources; ///< of each; records behind these are of material tests
   unsigned int n_left_out = 0;       ///< rows outside the time of the run
   std::vector<std::string> notes;    ///< what a user should know of them
 

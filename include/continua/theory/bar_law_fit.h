@@ -46,12 +46,18 @@ constexpr double clear_difference = 10., slight_difference = 2.;
 /**
  * Polishes a start by nonlinear least squares (LeastSquaresFit), all constants free and positive.
  * Each record's noise is found from its residuals. Branches are sorted, the longest first. Throws
- * std::invalid_argument if there are no more values than constants.
+ * std::invalid_argument if there are no more values than constants. Whether the search converged is
+ * in the result.
  */
 BarLawFit fit_bar_law(const BarLawStart &start, const std::vector<BarRecord> &records);
 
-/// Prony series of 0, 1, 2, ... branches until two more branches make the criterion no better. A
-/// number of branches that cannot be fitted is left out.
+/// Series with more constants per value are left out of a comparison [1]: Schwarz's criterion is
+/// that of many values, and falls without bound where the constants are as many as the values.
+constexpr double most_constants_per_value = 0.5;
+
+/// Prony series of 0, 1, 2, ... branches until two more branches make the criterion no better, or
+/// have more constants than `most_constants_per_value` allows. A number of branches whose fit fails
+/// or does not converge is left out.
 std::vector<BarLawFit> fit_prony_series_to_bar(double poissons_ratio,
                                                const std::vector<BarRecord> &records,
                                                unsigned int most_branches);

@@ -85,7 +85,8 @@ private:
   using Matrix = std::vector<std::vector<Ball>>;
 
   Layer layer(const Material &material, const Complex &omega, const Complex &k) const;
-  Columns core_columns(const Layer &fluid, const Ball &radius, const Ball &scale) const;
+  /// At the inner radius of the wall.
+  Columns core_columns(const Layer &fluid, const Ball &radius) const;
   Columns wall_columns(const Layer &wall, const Ball &radius) const;
   static Column column(const Layer &layer,
                        const Ball &radius,

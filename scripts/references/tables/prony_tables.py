@@ -11,7 +11,8 @@ normal numbers g of Python's generator, seed 1:
 * storage and loss modulus, to each of which e = 0.005 times the magnitude of both is added.
 
 It then fits each table by scipy.optimize.least_squares, in the logarithms of the constants, and prints what it finds with the standard errors of the
-curvature and of the residuals.
+curvature and of the residuals. At last it fits all tables together, each with its own variance: the sum of the squares of its residuals over its number of values
+less its share of the constants (the trace of its part of J (J^T J)^-1 J^T), found in turn with the constants.
 """
 
 import math
@@ -71,6 +72,29 @@ def fit(name, residuals):
         print(f"  {label}: {value:.6g} +- {error:.4g}, {abs(value - exact) / error:.2f} standard errors from {exact:g}")
 
 
+def fit_together(parts):
+    """The same of several tables; `parts`: for each a function of the constants, over the unit of its noise."""
+    truth = numpy.array([*MODULI, *TIMES])
+    logarithms, noise = numpy.log(truth), [1.0] * len(parts)
+    for _ in range(30):
+        found = scipy.optimize.least_squares(lambda x: numpy.concatenate([part(numpy.exp(x)) / s for part, s in zip(parts, noise)]), logarithms,
+                                             xtol=1e-14, ftol=1e-14, gtol=1e-14, jac="3-point")
+        logarithms, covariance = found.x, numpy.linalg.inv(found.jac.T @ found.jac)
+        errors = numpy.exp(found.x) * numpy.sqrt(numpy.diag(covariance))
+        before, first = noise, 0
+        noise = []
+        for part, s in zip(parts, before):
+            residuals = part(numpy.exp(logarithms))
+            rows = found.jac[first : first + len(residuals)]
+            first += len(residuals)
+            noise.append(math.sqrt(numpy.sum(residuals**2) / (len(residuals) - numpy.trace(rows @ covariance @ rows.T))))
+        if max(abs(a / b - 1) for a, b in zip(noise, before)) < 1e-6:
+            break
+    print(f"together: noise {', '.join(f'{s:.6f}' for s in noise)}")
+    for label, value, error, exact in zip(NAMES, numpy.exp(found.x), errors, truth):
+        print(f"  {label}: {value:.6g} +- {error:.4g}, {abs(value - exact) / error:.2f} standard errors from {exact:g}")
+
+
 def write(folder, name, header, rows, comment):
     with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
         stream.write("# Synthetic, not measured: Young's modulus relaxes as 400 + 150 exp(-t/0.5 s) + 80 exp(-t/10 s) kPa;\n"
@@ -100,16 +124,20 @@ def main():
     # As they stand in the files.
     tables = {name: numpy.loadtxt(os.path.join(folder, name + ".csv"), delimiter=",", skiprows=3) for name in ("relaxation", "creep", "moduli")}
     time, values = tables["relaxation"].T
-    fit("relaxation", lambda x: numpy.log(STRAIN * relaxation(x, time) / values))
+    of_relaxation = lambda x: numpy.log(STRAIN * relaxation(x, time) / values)
+    fit("relaxation", of_relaxation)
     found = scipy.optimize.least_squares(
         lambda x: numpy.log(math.exp(x[0]) * STRAIN / (LOADING_TIME * (1 - x[1])) * (time ** (1 - x[1]) - (time - LOADING_TIME) ** (1 - x[1])) / values),
         [math.log(500.0), 0.05], xtol=1e-14, ftol=1e-14, gtol=1e-14, jac="3-point")
     print(f"relaxation, power law: c {math.exp(found.x[0]):.6g} kPa, n {found.x[1]:.6g}, root of the mean square {math.sqrt(2 * found.cost / len(time)):.6f}")
     times, strains = tables["creep"].T
-    fit("creep", lambda x: numpy.log(STRESS * creep(x, times) / strains))
+    of_creep = lambda x: numpy.log(STRESS * creep(x, times) / strains)
+    fit("creep", of_creep)
     frequency, storage, loss = tables["moduli"].T
     magnitude = numpy.hypot(storage, loss)
-    fit("moduli", lambda x: numpy.concatenate([(moduli(x, frequency).real - storage) / magnitude, (moduli(x, frequency).imag - loss) / magnitude]))
+    of_moduli = lambda x: numpy.concatenate([(moduli(x, frequency).real - storage) / magnitude, (moduli(x, frequency).imag - loss) / magnitude])
+    fit("moduli", of_moduli)
+    fit_together([of_relaxation, of_creep, of_moduli])
 
 
 if __name__ == "__main__":
