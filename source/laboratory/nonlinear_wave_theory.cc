@@ -13,6 +13,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -49,7 +50,7 @@ NonlinearWaveTheory::NonlinearWaveTheory(const AnalysisInput &input) : Analysis(
   for (const NetworkParameters::Station &station : parameters.stations)
   {
     for (const std::string field : recorded_fields)
-      for (const std::string kind : {"largest ", "smallest ", "mean "})
+      for (const std::string kind : {"largest ", "smallest ", "mean ", "range of "})
         quantities.add(kind + field, station.name);
     quantities.add("time of the largest pressure", station.name);
   }
@@ -126,9 +127,9 @@ void NonlinearWaveTheory::run(Network &network,
       continue;
     records.difference = 0.;
     for (const History &history : records.stations)
-      records.difference = std::fmax(
-          records.difference,
-          beat_values(records.times, history.pressure, n_intervals, beat).difference);
+      records.difference =
+          std::fmax(records.difference,
+                    beat_values(records.times, history.pressure, n_intervals, beat).difference);
     if (records.difference <= parameters.tolerance)
       break;
   }
@@ -162,12 +163,12 @@ void NonlinearWaveTheory::add_quantities(const Network &network,
       summary.add({"largest " + field, values.largest, unit, name});
       summary.add({"smallest " + field, values.smallest, unit, name});
       summary.add({"mean " + field, values.mean, unit, name});
+      summary.add({"range of " + field, values.range, unit, name});
     }
     const auto begin = history.pressure.end() - (n_intervals + 1);
     const std::size_t highest = std::max_element(begin, history.pressure.end()) - begin;
-    summary.add({"time of the largest pressure", highest * network.time() / records.n_beats /
-                                                     n_intervals,
-                 "s", name});
+    summary.add({"time of the largest pressure",
+                 highest * network.time() / records.n_beats / n_intervals, "s", name});
   }
   summary.add({"steps", static_cast<double>(network.n_steps()), "1", ""});
   if (parameters.period > 0.)
@@ -211,7 +212,8 @@ void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Su
     std::vector<std::string> columns = {"time [s]"};
     for (const NetworkParameters::Station &station : parameters.stations)
       for (unsigned int f = 0; f < n_station_fields; ++f)
-        columns.push_back(station.name + ": " + recorded_fields[f] + " [" + recorded_units[f] + "]");
+        columns.push_back(station.name + ": " + recorded_fields[f] + " [" + recorded_units[f] +
+                          "]");
     table = std::make_unique<TableWriter>(directory.file("probes.csv"), columns);
   }
   std::vector<std::string> names;
@@ -226,6 +228,14 @@ void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Su
     log.end_progress();
     summary.set(key, reason);
     summary.set("status", status);
+    std::map<std::string, double> largest;
+    for (std::size_t s = 0; s < records.stations.size(); ++s)
+      for (const double pressure : records.stations[s].pressure)
+      {
+        double &of_station = largest[parameters.stations[s].name + ": pressure [Pa]"];
+        of_station = std::fmax(of_station, std::abs(pressure));
+      }
+    summary.set("largest values", largest);
     if (!table)
       return;
     table->flush();

@@ -35,8 +35,8 @@ EndWave::Values EndWave::at_area(const double area) const
   values.stiffness = vessel.stiffness(end, area);
   const double last = rate(area, values.stiffness),
                of_middle = rate(middle, vessel.stiffness(end, middle));
-  values.velocity = trace.flow / trace.area +
-                    (area - trace.area) * (trace_rate + 4. * of_middle + last) / 6.;
+  values.velocity =
+      trace.flow / trace.area + (area - trace.area) * (trace_rate + 4. * of_middle + last) / 6.;
   values.velocity_slope = last;
   values.inflow = sign * area * values.velocity;
   values.inflow_slope = sign * (values.velocity + area * values.velocity_slope);
@@ -58,10 +58,10 @@ double EndWave::speed_integral(const double from, const double to) const
       table(gsl_integration_glfixed_table_alloc(12), &gsl_integration_glfixed_table_free);
   const auto integrand = [this](const double area)
   { return std::sqrt(vessel.stiffness(end, area) / (vessel.flow_law().density * area)); };
-  const gsl_function function = {
-      [](const double area, void *const data)
-      { return (*static_cast<const decltype(integrand) *>(data))(area); },
-      const_cast<void *>(static_cast<const void *>(&integrand))};
+  const gsl_function function = {[](const double area, void *const data) {
+                                   return (*static_cast<const decltype(integrand) *>(data))(area);
+                                 },
+                                 const_cast<void *>(static_cast<const void *>(&integrand))};
   return gsl_integration_glfixed(&function, from, to, table.get());
 }
 } // namespace Continua

@@ -15,7 +15,8 @@ Junction::Junction(const std::vector<std::pair<Vessel *, Vessel::End>> &ends)
 void Junction::solve()
 {
   constexpr unsigned int most_iterations = 50;
-  constexpr double tolerance = 1e-9; // of the areas; the error after the last correction is its square
+  constexpr double tolerance =
+      1e-9; // of the areas; the error after the last correction is its square
   for (std::size_t k = 0; k < waves.size(); ++k)
   {
     waves[k].begin();

@@ -14,7 +14,8 @@ namespace
 /// Over the time to which a network goes on: what is less is a wave without a limit.
 constexpr double smallest_step = 1e-9;
 
-const char *const remedy = ". Lower the flow rate or the pressures at the terminals, raise the initial pressure, or give a "
+const char *const remedy = ". Lower the flow rate or the pressures at the terminals, raise the "
+                           "initial pressure, or give a "
                            "stiffer wall";
 } // namespace
 
@@ -69,7 +70,7 @@ void Network::solve_nodes(const bool at_end_of_step, const double length)
   }
   catch (const std::domain_error &error)
   {
-    throw StepFailure("at " + six_digits(now) + " s: " + error.what());
+    throw StepFailure("at " + six_digits(now) + " s: " + error.what() + remedy);
   }
 }
 

@@ -21,9 +21,8 @@ constexpr double pi = FlowLaw::pi;
 constexpr double tolerance_of_heights = 1e-9;
 
 /// A remedy for a name that nothing has.
-std::string known_names(const std::string &name,
-                        const std::vector<std::string> &names,
-                        const std::string &kind)
+std::string
+known_names(const std::string &name, const std::vector<std::string> &names, const std::string &kind)
 {
   const std::string nearest = nearest_name(name, names);
   return nearest.empty() ? "The " + kind + " are " + joined(names)
@@ -68,10 +67,11 @@ void NetworkParameters::read_times(ParameterSection &section)
               "beats, the run ends at the end time.",
               Range::not_negative());
   section.add("Most beats", most_beats, "After which the run ends in any case [1].", 2);
-  section.add("Tolerance", tolerance, Dimensions::none,
-              "Of the periodic state: the largest difference of the pressure at a station from that "
-              "a beat before, over its range in the beat [1].",
-              Range::positive());
+  section.add(
+      "Tolerance", tolerance, Dimensions::none,
+      "Of the periodic state: the largest difference of the pressure at a station from that "
+      "a beat before, over its range in the beat [1].",
+      Range::positive());
   section.add("End time", end_time, Dimensions::time, "Of a run without beats.",
               Range::not_negative());
   section.add("Output interval", output_interval, Dimensions::time,
@@ -102,11 +102,12 @@ void NetworkParameters::read(ParameterSection section)
   read_times(section);
 
   std::string file;
-  section.add_input_file("Vessel table", file,
-                         "A csv file of vessels, a row each, with the columns name, from, to, length, "
-                         "radius at start, radius at end, wall thickness at start, wall thickness at "
-                         "end, Young's modulus and, if you like, rise, with units in the header. It "
-                         "may stand beside the section Vessels.");
+  section.add_input_file(
+      "Vessel table", file,
+      "A csv file of vessels, a row each, with the columns name, from, to, length, "
+      "radius at start, radius at end, wall thickness at start, wall thickness at "
+      "end, Young's modulus and, if you like, rise, with units in the header. It "
+      "may stand beside the section Vessels.");
   if (!file.empty())
     vessels = VesselEntries::read_table(file);
   ParameterSection of_vessels = section.subsection("Vessels");
@@ -115,10 +116,11 @@ void NetworkParameters::read(ParameterSection section)
 
   double pressure_behind = 0.;
   file.clear();
-  section.add_input_file("Terminal table", file,
-                         "A csv file of windkessels, a row each, with the columns node, proximal "
-                         "resistance, distal resistance and compliance. With a compliance of 0 it is "
-                         "a resistance, the sum of the two.");
+  section.add_input_file(
+      "Terminal table", file,
+      "A csv file of windkessels, a row each, with the columns node, proximal "
+      "resistance, distal resistance and compliance. With a compliance of 0 it is "
+      "a resistance, the sum of the two.");
   section.add("Pressure behind", pressure_behind, Dimensions::pressure,
               "Into which the liquid flows at the ends of the terminal table.");
   if (!file.empty())
@@ -235,12 +237,13 @@ void NetworkParameters::set_heights()
     const double from = heights[node(vessel.from)], to = heights[node(vessel.to)];
     if (std::isnan(from))
       vessel.refuse("From",
-                    "the vessel '" + vessel.name +
-                        "' is not connected with the vessel '" + vessels.front().name + "'",
+                    "the vessel '" + vessel.name + "' is not connected with the vessel '" +
+                        vessels.front().name + "'",
                     "Let them meet in a node, or make a file for each network");
     if (std::abs(from + vessel.rise - to) > tolerance_of_heights * sum)
-      vessel.refuse("Rise", "along a loop with the vessel '" + vessel.name +
-                                "' the rises have a sum that is not zero",
+      vessel.refuse("Rise",
+                    "along a loop with the vessel '" + vessel.name +
+                        "' the rises have a sum that is not zero",
                     "Correct the rise of a vessel of the loop");
   }
 }
@@ -286,11 +289,12 @@ void NetworkParameters::check_times(const ParameterSection &section)
     section.refuse("Output interval", "is more than half of " + shortest_number(whole) + " s",
                    "Give a shorter one");
   for (const TerminalEntries &terminal : terminals)
-    if (terminal.period > 0. && period > 0. &&
-        std::abs(terminal.period - period) > 1e-6 * period)
-      terminal.refuse("its table repeats itself after " + shortest_number(terminal.period) +
-                          " s, and the period of the beats is " + shortest_number(period) + " s",
-                      "Correct 'Period', or the 'Table period'");
+    if (terminal.period > 0. && period > 0. && std::abs(terminal.period - period) > 1e-6 * period)
+      section.refuse("Period",
+                     "is not the " + shortest_number(terminal.period) +
+                         " s after which the table of the terminal '" + terminal.node +
+                         "' repeats itself",
+                     "Correct it, or the 'Table period' of the terminal");
 }
 
 unsigned int NetworkParameters::n_cells(const VesselEntries &vessel) const

@@ -70,8 +70,8 @@ double Terminal::area_with(const double time, const double source, const double 
                      {
                        const EndWave::Values values = wave.at_area(area);
                        const double speed = std::sqrt(values.stiffness / (wave.density() * area));
-                       return std::make_pair(values.velocity - wave.direction() *
-                                                                   wave.speed_integral(rest, area),
+                       return std::make_pair(values.velocity -
+                                                 wave.direction() * wave.speed_integral(rest, area),
                                              values.velocity_slope - wave.direction() * speed);
                      });
   }
@@ -96,11 +96,10 @@ double Terminal::solve(const bool at_end_of_step, const double time, const doubl
     if (at_end_of_step)
     {
       // The pressure of the compliance behind a flow rate that is linear over the step.
-      const double x = step / (law.distal_resistance * law.compliance),
-                   mean = -std::expm1(-x) / x,
+      const double x = step / (law.distal_resistance * law.compliance), mean = -std::expm1(-x) / x,
                    of_begin = law.distal_resistance * (mean - std::exp(-x));
-      of_outflow = law.distal_resistance *
-                   (x < 1e-3 ? x * (0.5 - x * (1. / 6. - x / 24.)) : 1. - mean);
+      of_outflow =
+          law.distal_resistance * (x < 1e-3 ? x * (0.5 - x * (1. / 6. - x / 24.)) : 1. - mean);
       source = law.pressure_behind + std::exp(-x) * (compliance_pressure - law.pressure_behind) +
                of_begin * outflow_at_begin;
       resistance += of_outflow;

@@ -15,12 +15,10 @@ using Type = TerminalLaw::Type;
 
 const Words<Type> &terminal_type_words()
 {
-  static const Words<Type> words = {{"flow rate", Type::flow_rate},
-                                    {"pressure", Type::pressure},
-                                    {"resistance", Type::resistance},
-                                    {"windkessel", Type::windkessel},
-                                    {"absorbing", Type::absorbing},
-                                    {"closed", Type::closed}};
+  static const Words<Type> words = {
+      {"flow rate", Type::flow_rate},   {"pressure", Type::pressure},
+      {"resistance", Type::resistance}, {"windkessel", Type::windkessel},
+      {"absorbing", Type::absorbing},   {"closed", Type::closed}};
   return words;
 }
 
@@ -60,15 +58,16 @@ void read_initial_pressure(ParameterSection &section,
 
 std::vector<std::pair<std::string, std::string>> TerminalEntries::types()
 {
-  return {{"flow rate", "A flow rate over time, into the vessel."},
-          {"pressure", "A pressure over time."},
-          {"resistance", "A pressure in proportion to the flow rate out of the vessel."},
-          {"windkessel",
-           "A resistance before a compliance that stands beside a second resistance (the windkessel "
-           "of three elements)."},
-          {"absorbing",
-           "The vessel goes on without limit: waves leave, and what comes in is the state at rest."},
-          {"closed", "Nothing flows."}};
+  return {
+      {"flow rate", "A flow rate over time, into the vessel."},
+      {"pressure", "A pressure over time."},
+      {"resistance", "A pressure in proportion to the flow rate out of the vessel."},
+      {"windkessel",
+       "A resistance before a compliance that stands beside a second resistance (the windkessel "
+       "of three elements)."},
+      {"absorbing",
+       "The vessel goes on without limit: waves leave, and what comes in is the state at rest."},
+      {"closed", "Nothing flows."}};
 }
 
 TerminalEntries TerminalEntries::read(ParameterSection section)

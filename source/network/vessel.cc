@@ -44,8 +44,8 @@ void set_differences(const std::vector<double> &values, std::vector<double> &dif
   differences[0] = before * behind > 0. ? before : 0.;
   for (std::size_t i = 1; i + 1 < n; ++i)
   {
-    const double further = i + 2 < n ? first(i + 1) : behind + second,
-                 next = further - behind, product = before * behind, mean = 0.5 * (before + behind),
+    const double further = i + 2 < n ? first(i + 1) : behind + second, next = further - behind,
+                 product = before * behind, mean = 0.5 * (before + behind),
                  limited = product > 0. ? product / mean : 0., share = likeness(last, second, next);
     differences[i] = limited + share * (mean - limited);
     before = behind;
@@ -91,8 +91,8 @@ private:
     double stiffness; ///< dp/dA [Pa/m^2], for the speeds of waves
   };
   FlowLaw liquid;
-  std::vector<Wall> centres, faces; ///< by cell; by face
-  std::vector<double> weights;      ///< rho g height of the faces [Pa]
+  std::vector<Wall> centres, faces;                              ///< by cell; by face
+  std::vector<double> weights;                                   ///< rho g height of the faces [Pa]
   std::vector<double> heads, head_differences, flow_differences; ///< by cell
   std::vector<FaceState> before, behind; ///< of each face, towards the start and the end
   /// What crosses a face [m^3/s], and what its jump gives to the flow rates on its two sides.
@@ -127,10 +127,15 @@ template <typename Wall>
 VesselWithWall<Wall>::VesselWithWall(const VesselDescription &description,
                                      const FlowLaw &liquid,
                                      const std::function<Wall(double)> &wall)
-    : Vessel(description), liquid(liquid), weights(description.n_cells + 1),
-      heads(description.n_cells), head_differences(description.n_cells),
-      flow_differences(description.n_cells), before(description.n_cells + 1),
-      behind(description.n_cells + 1), jumps(description.n_cells + 1)
+    : Vessel(description),
+      liquid(liquid),
+      weights(description.n_cells + 1),
+      heads(description.n_cells),
+      head_differences(description.n_cells),
+      flow_differences(description.n_cells),
+      before(description.n_cells + 1),
+      behind(description.n_cells + 1),
+      jumps(description.n_cells + 1)
 {
   const double cell = cell_length();
   for (unsigned int i = 0; i < description.n_cells; ++i)
@@ -179,11 +184,8 @@ double VesselWithWall<Wall>::largest_step() const
 }
 
 template <typename Wall>
-typename VesselWithWall<Wall>::FaceState
-VesselWithWall<Wall>::face_state(const Wall &wall,
-                                 const double head,
-                                 const double of_flow,
-                                 const double near_area) const
+typename VesselWithWall<Wall>::FaceState VesselWithWall<Wall>::face_state(
+    const Wall &wall, const double head, const double of_flow, const double near_area) const
 {
   constexpr unsigned int most_iterations = 20;
   constexpr double tolerance = 1e-9; // the error after the last correction is its square
@@ -229,8 +231,7 @@ double VesselWithWall<Wall>::flux_change(const Wall &wall,
                                          const FaceState &to) const
 {
   // Simpson over the pressure.
-  const double middle =
-      wall.area(0.5 * (from.pressure + to.pressure), 0.5 * (from.area + to.area));
+  const double middle = wall.area(0.5 * (from.pressure + to.pressure), 0.5 * (from.area + to.area));
   return liquid.momentum_correction * (square(to.flow) / to.area - square(from.flow) / from.area) +
          (from.area + 4. * middle + to.area) * (to.pressure - from.pressure) /
              (6. * liquid.density);
@@ -243,8 +244,7 @@ typename VesselWithWall<Wall>::Jump VesselWithWall<Wall>::jump_between(const Wal
 {
   const auto speeds = [&](const FaceState &state)
   {
-    const double velocity = state.flow / state.area,
-                 middle = liquid.momentum_correction * velocity,
+    const double velocity = state.flow / state.area, middle = liquid.momentum_correction * velocity,
                  relative = liquid.relative_speed(state.area * state.stiffness, velocity);
     return std::make_pair(middle - relative, middle + relative);
   };
@@ -315,8 +315,11 @@ VesselProblem VesselWithWall<Wall>::problem() const
 } // namespace
 
 Vessel::Vessel(const VesselDescription &description)
-    : description(description), area(description.n_cells), flow(description.n_cells),
-      old_area(description.n_cells), old_flow(description.n_cells)
+    : description(description),
+      area(description.n_cells),
+      flow(description.n_cells),
+      old_area(description.n_cells),
+      old_flow(description.n_cells)
 {
   if (!(description.length > 0.) || description.n_cells == 0)
     throw std::invalid_argument("A vessel has no length or no cell.");
@@ -344,8 +347,9 @@ double Vessel::volume() const
 Vessel::Values Vessel::values(const double z) const
 {
   const double cell = cell_length(), place = z / cell - 0.5;
-  const auto at_centre = [&](const unsigned int i)
-  { return Values{pressure_at_centre(i, area[i]), flow[i], area[i]}; };
+  const auto at_centre = [&](const unsigned int i) {
+    return Values{pressure_at_centre(i, area[i]), flow[i], area[i]};
+  };
   const auto at_end = [&](const End end)
   {
     const State &state = of_end(end).state;
@@ -399,12 +403,10 @@ std::unique_ptr<Vessel> make_vessel(const VesselDescription &description,
   return std::make_unique<VesselWithWall<Wall>>(description, flow_law, wall);
 }
 
-template std::unique_ptr<Vessel>
-make_vessel(const VesselDescription &,
-            const FlowLaw &,
-            const std::function<SquareRootWall(double)> &);
-template std::unique_ptr<Vessel>
-make_vessel(const VesselDescription &,
-            const FlowLaw &,
-            const std::function<NeoHookeanWall(double)> &);
+template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
+                                             const FlowLaw &,
+                                             const std::function<SquareRootWall(double)> &);
+template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
+                                             const FlowLaw &,
+                                             const std::function<NeoHookeanWall(double)> &);
 } // namespace Continua

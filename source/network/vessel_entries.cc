@@ -28,8 +28,8 @@ VesselEntries VesselEntries::read(ParameterSection section)
   section.add("To", vessel.to, "The node where it ends. Required.");
   section.require("From");
   section.require("To");
-  vessel.length = required_entry(section, "Length", Dimensions::length, "Of the vessel.",
-                                 Range::positive());
+  vessel.length =
+      required_entry(section, "Length", Dimensions::length, "Of the vessel.", Range::positive());
   vessel.radius_at_start =
       required_entry(section, "Radius at start", Dimensions::length,
                      "Inner radius under the reference pressure.", Range::positive());
@@ -49,9 +49,8 @@ VesselEntries VesselEntries::read(ParameterSection section)
   section.add("Rise", vessel.rise, Dimensions::length,
               "How much higher the end of the vessel is than its start, for the pressure of "
               "gravity.");
-  vessel.refuse =
-      [section](const std::string &key, const std::string &problem, const std::string &remedy)
-  { section.refuse(key, problem, remedy); };
+  vessel.refuse = [section](const std::string &key, const std::string &problem,
+                            const std::string &remedy) { section.refuse(key, problem, remedy); };
   return vessel;
 }
 

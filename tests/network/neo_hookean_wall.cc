@@ -18,7 +18,9 @@ namespace
 constexpr double pi = 3.14159265358979323846;
 
 /// The integral of mu (r^2/R^2 - R^2/r^2)/r over the present wall, with R^2 = r^2 - a^2 + A^2.
-double pressure_by_quadrature(const double inner, const double outer, const double present,
+double pressure_by_quadrature(const double inner,
+                              const double outer,
+                              const double present,
                               const double shear_modulus)
 {
   constexpr unsigned int n = 2000;
@@ -50,9 +52,9 @@ UNIT_TEST(neo_hookean_wall)
                     1e-6);
     check::relative(name + ": area", wall.area(wall.pressure(present), area), present, 1e-12);
   }
-  check::is_true("above the largest pressure there is no area",
-                 std::isnan(wall.area(500. + 0.5 * modulus * std::log1p(wall_area / area) + 1.,
-                                      area)));
+  check::is_true(
+      "above the largest pressure there is no area",
+      std::isnan(wall.area(500. + 0.5 * modulus * std::log1p(wall_area / area) + 1., area)));
 
   const LongWaveTube tube{inner, outer - inner, 0.5, 1000., 0.};
   const double speed =
@@ -60,7 +62,8 @@ UNIT_TEST(neo_hookean_wall)
   check::relative("small strain: speed of Korteweg in a thick wall",
                   std::sqrt(area * wall.stiffness(area) / 1000.), speed, 1e-12);
   const SquareRootWall root(area, 500., 1000. * speed * speed);
-  check::relative("square root: stiffness at A0", root.stiffness(area), wall.stiffness(area), 1e-12);
+  check::relative("square root: stiffness at A0", root.stiffness(area), wall.stiffness(area),
+                  1e-12);
   check::relative("square root: area", root.area(root.pressure(1.2 * area), area), 1.2 * area,
                   1e-13);
   check::is_true("square root: a closed tube has no area", std::isnan(root.area(-1e6, area)));

@@ -71,8 +71,8 @@ double impedance(const Tube &tube)
 }
 
 /// The largest and smallest pressure in the middle of a vessel after the pulse has gone by.
-double extreme_after(Network &network, const unsigned int vessel, const double begin,
-                     const double end)
+double
+extreme_after(Network &network, const unsigned int vessel, const double begin, const double end)
 {
   double extreme = 0.;
   network.advance(begin, 0.9);
@@ -106,8 +106,7 @@ void check_reflections()
   check::absolute("open end", reflected(open), -1., 0.015);
 
   // A pulse that widens the tube leaves, too.
-  Network network =
-      network_of({tube}, {pulse(3e-4, 0.08), end_of(TerminalLaw::Type::absorbing)});
+  Network network = network_of({tube}, {pulse(3e-4, 0.08), end_of(TerminalLaw::Type::absorbing)});
   const double high = extreme_after(network, 0, 0., 0.2),
                left = extreme_after(network, 0, 0.21, 0.39);
   check::is_true("high pulse: the tube widens by more than a third", high > 2500.);
@@ -171,7 +170,8 @@ void check_cut_tube()
 }
 
 /// A constant flow rate into a windkessel through a tube whose impedance is that of the proximal
-/// resistance, which the wave passes within `delay` [s]: pressure at the end over the exact one, less
+/// resistance, which the wave passes within `delay` [s]: pressure at the end over the exact one,
+/// less
 /// 1. Behind the first wave none returns, since the flow rate is given.
 double error_of_windkessel(const double compliance)
 {

@@ -184,9 +184,9 @@ void check_steady_state(const std::string &name,
     }
     return area;
   };
-  Network network = one_vessel<Wall>(
-      description, law, wall, terminal(TerminalLaw::Type::flow_rate, flow),
-      terminal(TerminalLaw::Type::pressure, wall(1.).pressure(area_at(1.))));
+  Network network =
+      one_vessel<Wall>(description, law, wall, terminal(TerminalLaw::Type::flow_rate, flow),
+                       terminal(TerminalLaw::Type::pressure, wall(1.).pressure(area_at(1.))));
   std::vector<double> areas;
   for (unsigned int i = 0; i < n_cells; ++i)
     areas.push_back(area_at((i + 0.5) / n_cells));
@@ -217,8 +217,7 @@ void check_friction()
       terminal(TerminalLaw::Type::flow_rate, flow), terminal(TerminalLaw::Type::pressure, 0.));
   network.rest(0.);
   network.advance(3., 0.9);
-  check::relative("friction of Poiseuille",
-                  network.vessel(0).values(0.).pressure,
+  check::relative("friction of Poiseuille", network.vessel(0).values(0.).pressure,
                   8. * law.viscosity * 0.2 * flow / (FlowLaw::pi * std::pow(radius, 4.)), 1e-3);
 }
 } // namespace
@@ -239,8 +238,7 @@ UNIT_TEST(vessel)
   {
     const double radius = 0.01 - 0.004 * z, thickness = 0.002 - 0.001 * z;
     return NeoHookeanWall(FlowLaw::pi * radius * radius,
-                          FlowLaw::pi * thickness * (2. * radius + thickness), 0.,
-                          1e5 * (1. + z));
+                          FlowLaw::pi * thickness * (2. * radius + thickness), 0., 1e5 * (1. + z));
   };
   for (const double alpha : {1., 4. / 3.})
   {
@@ -261,7 +259,8 @@ UNIT_TEST(vessel)
       [](double) { return SquareRootWall(rest_area, 0., density * rest_speed * rest_speed); },
       terminal(TerminalLaw::Type::flow_rate, -4e-4), terminal(TerminalLaw::Type::flow_rate, -4e-4));
   network.rest(0.);
-  check::throws<StepFailure>("a flow that closes the tube", [&]() { network.advance(1., 0.8); },
-                             "at 0\\.[0-9]+ s.* the vessel 'tube'");
+  check::throws<StepFailure>(
+      "a flow that closes the tube", [&]() { network.advance(1., 0.8); },
+      "at 0\\.[0-9]+ s.* the vessel 'tube'");
 }
 } // namespace test_of_vessel

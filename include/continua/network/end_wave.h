@@ -8,8 +8,8 @@ namespace Continua
 /**
  * The wave that runs from an end of a vessel into it: it connects the state inside the end, which
  * the liquid brings, with the state on the end. Along it dU/dA = ((alpha - 1) U -+ s)/A, with the
- * relative speed s of the waves. For alpha = 1 it is Riemann's invariant. The integral from the area
- * inside is that of Simpson: its error is of fifth order in the difference of the areas.
+ * relative speed s of the waves. For alpha = 1 it is Riemann's invariant. The integral from the
+ * area inside is that of Simpson: its error is of fifth order in the difference of the areas.
  */
 class EndWave
 {

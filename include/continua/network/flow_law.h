@@ -7,8 +7,8 @@ namespace Continua
 {
 /**
  * The liquid in a vessel, and how its velocity varies over the section: u(r) = U (zeta + 2)/zeta (1
- * - (r/R)^zeta) with the mean velocity U and the exponent zeta (2: Poiseuille, 9: nearly flat; T. J.
- * R. Hughes, J. Lubliner, Math. Biosci. 18 (1973) 161; N. P. Smith, A. J. Pullan, P. J. Hunter,
+ * - (r/R)^zeta) with the mean velocity U and the exponent zeta (2: Poiseuille, 9: nearly flat; T.
+ * J. R. Hughes, J. Lubliner, Math. Biosci. 18 (1973) 161; N. P. Smith, A. J. Pullan, P. J. Hunter,
  * SIAM J. Appl. Math. 62 (2002) 990). Its wall shear stress gives the friction per length, and its
  * momentum the factor alpha = (zeta + 2)/(zeta + 1), for which many programs take 1.
  */

@@ -9,8 +9,8 @@ namespace Continua
 {
 /**
  * A place where the ends of two or more vessels meet: no liquid is lost, and all ends have the same
- * head p + rho alpha U^2/2 (with alpha = 1 the total pressure). The state on each end lies on the wave of its vessel
- * (EndWave). Solved by Newton's method for the areas of the ends and the head.
+ * head p + rho alpha U^2/2 (with alpha = 1 the total pressure). The state on each end lies on the
+ * wave of its vessel (EndWave). Solved by Newton's method for the areas of the ends and the head.
  */
 class Junction
 {

@@ -25,7 +25,9 @@ public:
                  const double wall_area,
                  const double pressure,
                  const double shear_modulus)
-      : area_without_load(area), wall_area(wall_area), half_modulus(0.5 * shear_modulus),
+      : area_without_load(area),
+        wall_area(wall_area),
+        half_modulus(0.5 * shear_modulus),
         pressure_without_strain(pressure + half_modulus * std::log1p(wall_area / area))
   {
   }
@@ -36,8 +38,8 @@ public:
   double pressure(const double area) const
   {
     return pressure_without_strain +
-           half_modulus * (-std::log1p(wall_area / area) + (area - area_without_load) * wall_area /
-                                                               (area * (area + wall_area)));
+           half_modulus * (-std::log1p(wall_area / area) +
+                           (area - area_without_load) * wall_area / (area * (area + wall_area)));
   }
   /// dp/dA [Pa/m^2].
   double stiffness(const double area) const
@@ -72,8 +74,8 @@ public:
 
 private:
   double area_without_load; ///< A0 [m^2]
-  double wall_area;      ///< W [m^2]
-  double half_modulus;   ///< mu/2 [Pa]
+  double wall_area;         ///< W [m^2]
+  double half_modulus;      ///< mu/2 [Pa]
   double pressure_without_strain;
 };
 } // namespace Continua

@@ -24,23 +24,23 @@ struct NetworkParameters
   struct Station
   {
     std::string name, vessel;
-    double position = 0.;       ///< from the start of the vessel [m]
+    double position = 0.; ///< from the start of the vessel [m]
     unsigned int vessel_number = 0;
   };
   FlowLaw liquid;
   Wall wall = Wall::square_root;
   WallTheory wall_theory = WallTheory::thin;
-  double poissons_ratio = 0.5;     ///< [1]
-  double reference_pressure = 0.;  ///< under which the vessels have their radii [Pa]
-  double initial_pressure = 0.;    ///< [Pa]
-  double cell_length = 0.005;      ///< at most [m]
-  unsigned int fewest_cells = 4;   ///< of a vessel
-  double courant_number = 0.8;     ///< [1]
-  double period = 0.;              ///< of a beat [s]; 0: no beats
+  double poissons_ratio = 0.5;    ///< [1]
+  double reference_pressure = 0.; ///< under which the vessels have their radii [Pa]
+  double initial_pressure = 0.;   ///< [Pa]
+  double cell_length = 0.005;     ///< at most [m]
+  unsigned int fewest_cells = 4;  ///< of a vessel
+  double courant_number = 0.8;    ///< [1]
+  double period = 0.;             ///< of a beat [s]; 0: no beats
   unsigned int most_beats = 30;
-  double tolerance = 1e-3;         ///< of the periodic state [1]
-  double end_time = 0.;            ///< [s], without beats
-  double output_interval = 0.;     ///< [s]
+  double tolerance = 1e-3;     ///< of the periodic state [1]
+  double end_time = 0.;        ///< [s], without beats
+  double output_interval = 0.; ///< [s]
   std::vector<VesselEntries> vessels;
   std::vector<TerminalEntries> terminals;
   std::vector<Station> stations;

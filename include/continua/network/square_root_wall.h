@@ -26,7 +26,8 @@ class SquareRootWall
 public:
   /// `pressure` p0 [Pa] at the area A0 [m^2]; rho c0^2 [Pa] there.
   SquareRootWall(const double area, const double pressure, const double density_times_speed_squared)
-      : reference_pressure(pressure), reference_root(std::sqrt(area)),
+      : reference_pressure(pressure),
+        reference_root(std::sqrt(area)),
         beta(2. * density_times_speed_squared / reference_root)
   {
   }

@@ -55,9 +55,9 @@ public:
 private:
   EndWave wave;
   TerminalLaw law;
-  double compliance_pressure;     ///< at the begin of the step [Pa]
-  double next_pressure = 0.;      ///< at its end
-  double outflow_at_begin = 0.;   ///< out of the network [m^3/s]
+  double compliance_pressure;   ///< at the begin of the step [Pa]
+  double next_pressure = 0.;    ///< at its end
+  double outflow_at_begin = 0.; ///< out of the network [m^3/s]
 
   double area_with(double time, double source, double resistance) const;
 };

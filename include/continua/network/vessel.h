@@ -40,9 +40,9 @@ struct VesselProblem
  * The scheme is path-conservative (C. Pares, SIAM J. Numer. Anal. 44 (2006) 300). Linear in a cell
  * are the flow rate and the head, p + rho g height + rho alpha U^2/2, with the slopes of B. van
  * Leer's limiter; so steady states without friction, at rest and with flow, stay as they are to
- * round-off for any wall along z. A jump at a face is divided by two waves (A. Harten, P. D. Lax, B.
- * van Leer, SIAM Rev. 25 (1983) 35). The integral of A dp is that of Simpson, which is exact for the
- * square-root law: momentum is conserved in a uniform tube, and jumps have their speeds.
+ * round-off for any wall along z. A jump at a face is divided by two waves (A. Harten, P. D. Lax,
+ * B. van Leer, SIAM Rev. 25 (1983) 35). The integral of A dp is that of Simpson, which is exact for
+ * the square-root law: momentum is conserved in a uniform tube, and jumps have their speeds.
  *
  * The flow must be slower than the wave.
  */
@@ -77,8 +77,8 @@ public:
   const std::vector<double> &flows() const { return flow; }
   /// Volume of the liquid [m^3].
   double volume() const;
-  /// The pressure [Pa], flow rate [m^3/s] and area [m^2] at z [m], linear between the centres of the
-  /// cells and the ends.
+  /// The pressure [Pa], flow rate [m^3/s] and area [m^2] at z [m], linear between the centres of
+  /// the cells and the ends.
   struct Values
   {
     double pressure, flow, area;
@@ -87,8 +87,8 @@ public:
   /// The state that the end had last.
   const State &end_state(const End end) const { return of_end(end).state; }
 
-  /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error if there is no
-  /// area for it.
+  /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error if there is
+  /// no area for it.
   virtual void rest(double pressure) = 0;
   /// Any state, of the centres of the cells [m^2], [m^3/s].
   void set(const std::vector<double> &areas, const std::vector<double> &flows);
@@ -99,8 +99,9 @@ public:
   void begin_step();
   /// Finds the states on both sides of each face, and those inside the ends.
   virtual void reconstruct() = 0;
-  /// One stage with a step of `step` [s] after reconstruct() and set_end(): the new state is `share`
-  /// times the state at the begin of the step, and (1 - share) times the state after the stage.
+  /// One stage with a step of `step` [s] after reconstruct() and set_end(): the new state is
+  /// `share` times the state at the begin of the step, and (1 - share) times the state after the
+  /// stage.
   virtual void advance(double step, double share) = 0;
   /// Why the state is none: a closed tube, a number that is none, a flow as fast as the wave. Empty
   /// text: it is one.

@@ -12,8 +12,8 @@ namespace Continua
 /// A vessel as a file describes it. Radius and thickness are linear between its ends.
 struct VesselEntries
 {
-  std::string name, from, to; ///< its nodes
-  double length = 0.;         ///< [m]
+  std::string name, from, to;                            ///< its nodes
+  double length = 0.;                                    ///< [m]
   double radius_at_start = 0., radius_at_end = 0.;       ///< inner ones [m]
   double thickness_at_start = 0., thickness_at_end = 0.; ///< of the wall [m]
   double youngs_modulus = 0.;                            ///< [Pa]
@@ -26,9 +26,9 @@ struct VesselEntries
 
   /// Declares and reads one subsection of Vessels, called after the vessel. Throws InputError.
   static VesselEntries read(ParameterSection section);
-  /// The rows of a csv file with the columns name, from, to, length, radius at start, radius at end,
-  /// wall thickness at start, wall thickness at end, Young's modulus and, if there is one, rise.
-  /// Throws InputError.
+  /// The rows of a csv file with the columns name, from, to, length, radius at start, radius at
+  /// end, wall thickness at start, wall thickness at end, Young's modulus and, if there is one,
+  /// rise. Throws InputError.
   static std::vector<VesselEntries> read_table(const std::string &file);
 };
 } // namespace Continua
