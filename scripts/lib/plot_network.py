@@ -59,7 +59,7 @@ def draw(sheet, runs):
 
 def draw_network(sheet, names, nodes, vessels):
     where, n_rows = places(vessels)
-    figure, axes = sheet.figure(min(0.2 + 0.04 * n_rows, 1.4))
+    figure, axes = sheet.figure(min(0.2 + 0.025 * n_rows, 0.85))
     widest = max(max(vessel[3:5]) for vessel in vessels)
     for number, (start, end, _, radius, radius_at_end) in enumerate(vessels):
         (x, y), (x_end, y_end) = where[start], where[end]
@@ -78,7 +78,7 @@ def draw_network(sheet, names, nodes, vessels):
                 axes.annotate(nodes[node], (x, y), xytext=(0, -9), textcoords="offset points", ha="center", fontsize=6.5)
     axes.set_xlabel("Distance along the vessels [m]")
     axes.set_yticks([])
-    axes.margins(x=0.06, y=0.15)
+    axes.margins(x=0.06, y=0.4 if n_rows < 5 else 0.03)
     axes.invert_yaxis()
     sheet.save(figure, "network")
     sheet.save_data("network", ["vessel [1]", "from node [1]", "to node [1]", "length [m]", "radius at start [m]", "radius at end [m]"],
