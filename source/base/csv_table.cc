@@ -338,6 +338,18 @@ std::vector<double> CsvTable::values(const std::size_t column, const Dimension &
   return values;
 }
 
+std::vector<std::string> CsvTable::texts(const std::size_t column) const
+{
+  std::vector<std::string> texts;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    texts.push_back(rows[row].cells[column]);
+    if (texts.back().empty())
+      refuse(row, column, "the cell is empty", "Write a name there");
+  }
+  return texts;
+}
+
 std::vector<double> CsvTable::increasing_values(const std::size_t column,
                                                 const Dimension &dimension,
                                                 const std::string &time,

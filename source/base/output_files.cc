@@ -43,6 +43,7 @@ const std::vector<std::string> &output_files()
                                                  "materials.prm",
                                                  "modes.csv",
                                                  "modulus.csv",
+                                                 "network-vessels.csv",
                                                  "other-files.txt",
                                                  "parameters.prm",
                                                  "planar.csv",

@@ -9,6 +9,7 @@
 #include <continua/laboratory/artery_fit.h>
 #include <continua/laboratory/material_fit.h>
 #include <continua/laboratory/material_laboratory.h>
+#include <continua/laboratory/nonlinear_wave_theory.h>
 #include <continua/laboratory/spin_coating_analysis.h>
 #include <continua/studies/comparison.h>
 #include <continua/studies/identification.h>
@@ -124,7 +125,12 @@ const AnalysisTable &analyses()
        row_of<AmplificationAnalysis>(
            "amplification",
            "What schemes in time do to waves: damping and speed by Courant number and wavelength.",
-           {"Amplification"})});
+           {"Amplification"}),
+       row_of<NonlinearWaveTheory>(
+           "nonlinear wave theory",
+           "Waves of finite height in one dimension: vessels, networks of them, and what stands at "
+           "their ends.",
+           {"Network"})});
   return table;
 }
 } // namespace Continua

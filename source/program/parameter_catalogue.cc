@@ -15,6 +15,7 @@
 #include <continua/materials/material.h>
 #include <continua/materials/strain_law_types.h>
 #include <continua/mesh/geometry.h>
+#include <continua/network/network_parameters.h>
 #include <continua/program/analyses.h>
 #include <continua/studies/comparison_parameters.h>
 #include <continua/studies/identification_parameters.h>
@@ -279,6 +280,22 @@ std::vector<Source> sources()
        { AmplificationParameters().read(root.subsection("Amplification")); },
        "",
        {}},
+      {"Network",
+       "Vessels in one dimension, and three families, one subsection each, called as you like: "
+       "Vessels, Terminals (by the node of the loose end) and Stations.",
+       {"Network/Vessels/<vessel>/From=<node>", "Network/Stations/<station>/Vessel=<vessel>"},
+       [](Root &root, const General &) { NetworkParameters().read(root.subsection("Network")); },
+       "",
+       {}},
+      {"Terminals of a network",
+       "What stands at the loose ends of vessels, by the node.",
+       {},
+       [](Root &root, const General &) {
+         TerminalEntries::read(
+             root.subsection("Network").subsection("Terminals").subsection("<node>"));
+       },
+       "Network/Terminals/<node>/Type",
+       TerminalEntries::types()},
       {"Wave theory",
        "Linear waves of a tube, as an analysis of their own or beside a transient one.",
        {},

@@ -47,8 +47,11 @@ public:
   /// The column's numbers in SI. Throws for a unit that is missing (unless the column has no
   /// dimension), unknown or of another dimension, and for a missing or malformed number.
   std::vector<double> values(std::size_t column, const Dimension &dimension) const;
-  /// The same of a column that must increase from row to row; messages say "the TIME 3 is not LATER
-  /// than that of the row before".
+  /// The column's cells as they are written, without blanks and quotes around them. Throws for an
+  /// empty one.
+  std::vector<std::string> texts(std::size_t column) const;
+  /// The numbers of a column that must increase from row to row; messages say "the TIME 3 is not
+  /// LATER than that of the row before".
   std::vector<double> increasing_values(std::size_t column,
                                         const Dimension &dimension,
                                         const std::string &time,

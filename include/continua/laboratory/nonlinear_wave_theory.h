@@ -1,0 +1,55 @@
+#ifndef continua_laboratory_nonlinear_wave_theory_h
+#define continua_laboratory_nonlinear_wave_theory_h
+
+#include <continua/analysis/analysis.h>
+#include <continua/base/expected_value.h>
+#include <continua/base/quantity_names.h>
+#include <continua/network/network_parameters.h>
+
+#include <vector>
+
+namespace Continua
+{
+/**
+ * Waves of finite height along the vessels of a network, in one dimension: probes.csv has pressure,
+ * flow rate and area at the stations over time, network-vessels.csv the network for a drawing, and
+ * the summary the values of the last beat (or of the whole run) at each station. With a period the
+ * run goes on until a beat is like the one before.
+ */
+class NonlinearWaveTheory : public Analysis
+{
+public:
+  /// Throws InputError.
+  explicit NonlinearWaveTheory(const AnalysisInput &input);
+
+  QuantityNames quantity_names() const override { return quantities; }
+  std::vector<std::string> outline() const override;
+
+private:
+  /// At a station, over time.
+  struct History
+  {
+    std::vector<double> pressure, flow_rate, area;
+  };
+  /// What has been recorded so far.
+  struct Records
+  {
+    std::vector<double> times;
+    std::vector<History> stations;
+    unsigned int n_beats = 0; ///< that are complete; a run without beats is one
+    double difference = 0.;   ///< of the last beat from the one before, of pressures [1]
+  };
+  NetworkParameters parameters;
+  std::vector<ExpectedValue> expected;
+  QuantityNames quantities; ///< that the analysis can state
+
+  /// Every rank does it, and rank 0 writes.
+  void compute(const OutputDirectory &directory, Log &log, Summary &summary) override;
+  void run(Network &network, class TableWriter *table, Log &log, Records &records) const;
+  void record(const Network &network, class TableWriter *table, Records &records) const;
+  void add_quantities(const Network &network, const Records &records, Summary &summary) const;
+  void write_vessels(const OutputDirectory &directory, const Network &network) const;
+};
+} // namespace Continua
+
+#endif

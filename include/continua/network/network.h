@@ -1,0 +1,62 @@
+#ifndef continua_network_network_h
+#define continua_network_network_h
+
+#include <continua/network/junction.h>
+#include <continua/network/terminal.h>
+#include <continua/network/vessel.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * Vessels that meet in nodes, and their common steps in time. A loose end has a TerminalLaw.
+ */
+class Network
+{
+public:
+  /// A vessel from one node to another one; nodes are numbered from 0.
+  struct Edge
+  {
+    std::unique_ptr<Vessel> vessel;
+    unsigned int from, to;
+  };
+  /// `terminals`: for each node, in order; of nodes with several ends none is used.
+  Network(std::vector<Edge> edges, const std::vector<TerminalLaw> &terminals);
+
+  unsigned int n_vessels() const { return edges.size(); }
+  const Vessel &vessel(const unsigned int number) const { return *edges[number].vessel; }
+  Vessel &vessel(const unsigned int number) { return *edges[number].vessel; }
+  double time() const { return now; } ///< [s]
+  double volume() const;              ///< of all liquid [m^3]
+  /// What has flowed in through loose ends since the start, less what has flowed out [m^3].
+  double inflow() const { return entered; }
+  unsigned int n_steps() const { return steps; }
+
+  /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error.
+  void rest(double pressure);
+  /// Goes on to a time [s] in equal steps whose Courant number is at most `courant_number`. Throws
+  /// StepFailure with time, vessel and place.
+  void advance(double end_time, double courant_number);
+
+private:
+  struct Loose
+  {
+    Terminal terminal;
+    double first_inflow;
+  };
+  std::vector<Edge> edges;
+  std::vector<Loose> loose_ends;
+  std::vector<Junction> junctions;
+  double now = 0., entered = 0.;
+  unsigned int steps = 0;
+
+  void step(double length);
+  void solve_nodes(bool at_end_of_step, double length);
+  void check_state() const;
+};
+} // namespace Continua
+
+#endif

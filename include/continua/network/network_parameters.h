@@ -1,0 +1,76 @@
+#ifndef continua_network_network_parameters_h
+#define continua_network_network_parameters_h
+
+#include <continua/network/flow_law.h>
+#include <continua/network/network.h>
+#include <continua/network/terminal_entries.h>
+#include <continua/network/vessel_entries.h>
+#include <continua/theory/korteweg.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// The section Network: vessels, what stands at their loose ends, stations and times.
+struct NetworkParameters
+{
+  enum class Wall
+  {
+    square_root,
+    neo_hookean
+  };
+  /// A place where values are recorded.
+  struct Station
+  {
+    std::string name, vessel;
+    double position = 0.; ///< from the start of the vessel [m]
+    unsigned int vessel_number = 0;
+  };
+  FlowLaw liquid;
+  Wall wall = Wall::square_root;
+  WallTheory wall_theory = WallTheory::thin;
+  double poissons_ratio = 0.5;    ///< [1]
+  double reference_pressure = 0.; ///< under which the vessels have their radii [Pa]
+  double initial_pressure = 0.;   ///< [Pa]
+  double cell_length = 0.005;     ///< at most [m]
+  unsigned int fewest_cells = 4;  ///< of a vessel
+  double courant_number = 0.8;    ///< [1]
+  double period = 0.;             ///< of a beat [s]; 0: no beats
+  unsigned int most_beats = 30;
+  double tolerance = 1e-3;     ///< of the periodic state [1]
+  double end_time = 0.;        ///< [s], without beats
+  double output_interval = 0.; ///< [s]
+  std::vector<VesselEntries> vessels;
+  std::vector<TerminalEntries> terminals;
+  std::vector<Station> stations;
+  std::vector<std::string> nodes; ///< in the order in which the vessels name them
+
+  /// Declares and reads. Throws InputError for what is wrong in an entry or a row.
+  void read(ParameterSection section);
+  /// Numbers the nodes and the vessels of the stations. Throws InputError for what is no network:
+  /// no vessel, a loose end without a terminal, a terminal at no loose end, parts that do not meet,
+  /// heights that do not fit together, a station outside its vessel, times that are missing.
+  void check(ParameterSection section);
+  /// The network in its state at rest. After check(). Throws std::domain_error if there is no such
+  /// state.
+  Network make() const;
+  unsigned int n_cells(const VesselEntries &vessel) const;
+  /// Of the records in a beat, or in the run.
+  unsigned int n_intervals() const;
+
+private:
+  std::vector<double> heights; ///< of the nodes [m]
+
+  unsigned int node(const std::string &name) const;
+  void read_wall(ParameterSection &section);
+  void read_times(ParameterSection &section);
+  void check_ends();
+  void set_heights();
+  void check_stations(ParameterSection &section);
+  void check_times(const ParameterSection &section);
+  std::unique_ptr<Vessel> make_vessel_of(const VesselEntries &entries) const;
+};
+} // namespace Continua
+
+#endif

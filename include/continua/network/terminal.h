@@ -1,0 +1,66 @@
+#ifndef continua_network_terminal_h
+#define continua_network_terminal_h
+
+#include <continua/network/end_wave.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace Continua
+{
+/// What stands at a loose end of a vessel.
+struct TerminalLaw
+{
+  enum class Type
+  {
+    flow_rate, ///< Q(t) into the vessel
+    pressure,  ///< p(t)
+    resistance,
+    windkessel, ///< a resistance before a compliance beside a resistance
+    absorbing,  ///< the vessel goes on without limit
+    closed
+  };
+  Type type = Type::closed;
+  std::function<double(double)> value; ///< of time [s]: flow rate [m^3/s] or pressure [Pa]
+  double resistance = 0.;              ///< or the proximal one [Pa s/m^3]
+  double distal_resistance = 0.;       ///< [Pa s/m^3]
+  double compliance = 0.;              ///< [m^3/Pa]
+  double pressure_behind = 0.;         ///< [Pa]
+  /// Of the compliance at the start, or of the state at rest of an absorbing end [Pa]
+  double initial_pressure = 0.;
+};
+
+/**
+ * A loose end of a vessel, with the law that it follows. In each stage of a step the state on the
+ * end satisfies the law and the wave of the vessel together (EndWave), by Newton's method.
+ *
+ * The pressure of a windkessel's compliance is the exact one for a flow rate that is linear in the
+ * step, with the flow rate at the end of the step unknown: second order, and stable for any step.
+ */
+class Terminal
+{
+public:
+  Terminal(Vessel &vessel, Vessel::End end, const TerminalLaw &law);
+
+  /// The stage at the begin (or the end) of a step from `time` to `time + step` [s]. Returns the
+  /// flow rate into the vessel [m^3/s]. Throws std::domain_error where the law and the wave have no
+  /// common state.
+  double solve(bool at_end_of_step, double time, double step);
+  /// After the second stage.
+  void end_step();
+  double pressure_of_compliance() const { return compliance_pressure; } ///< [Pa]
+
+private:
+  EndWave wave;
+  TerminalLaw law;
+  double compliance_pressure;   ///< at the begin of the step [Pa]
+  double next_pressure = 0.;    ///< at its end
+  double outflow_at_begin = 0.; ///< out of the network [m^3/s]
+
+  double area_with(double time, double source, double resistance) const;
+};
+} // namespace Continua
+
+#endif

@@ -1,0 +1,146 @@
+#ifndef continua_network_vessel_h
+#define continua_network_vessel_h
+
+#include <continua/network/flow_law.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// What a vessel is made of. z [m] is the distance from its start, from 0 to `length`.
+struct VesselDescription
+{
+  std::string name;
+  double length = 0.;          ///< [m]
+  unsigned int n_cells = 0;    ///< of equal length
+  double height_at_start = 0.; ///< above the reference of the pressure of gravity [m]
+  double height_at_end = 0.;   ///< [m]; between them it is linear
+};
+
+/// Where and why a vessel cannot go on.
+struct VesselProblem
+{
+  double position; ///< z [m]
+  std::string text;
+};
+
+/**
+ * Area A and flow rate Q of the liquid along a vessel whose wall gives way,
+ *
+ *     dA/dt + dQ/dz = 0,
+ *     dQ/dt + d(alpha Q^2/A)/dz + A/rho d(p + rho g height)/dz = -friction Q/A,
+ *
+ * with the pressure p(A, z) of a wall law whose numbers may vary along z continuously. Finite
+ * volumes of second order in space; in time the two stages of the strong-stability-preserving
+ * Runge-Kutta method (S. Gottlieb, C.-W. Shu, E. Tadmor, SIAM Rev. 43 (2001) 89).
+ *
+ * The scheme is path-conservative (C. Pares, SIAM J. Numer. Anal. 44 (2006) 300). Linear in a cell
+ * are the flow rate and the head, p + rho g height + rho alpha U^2/2, with the slopes of B. van
+ * Leer's limiter; so steady states without friction, at rest and with flow, stay as they are to
+ * round-off for any wall along z. A jump at a face is divided by two waves (A. Harten, P. D. Lax,
+ * B. van Leer, SIAM Rev. 25 (1983) 35). The integral of A dp is that of Simpson, which is exact for
+ * the square-root law: momentum is conserved in a uniform tube, and jumps have their speeds.
+ *
+ * The flow must be slower than the wave.
+ */
+class Vessel
+{
+public:
+  enum class End
+  {
+    start, ///< z = 0
+    end    ///< z = length
+  };
+  /// Area [m^2] and flow rate towards the end [m^3/s].
+  struct State
+  {
+    double area = 0., flow = 0.;
+  };
+
+  explicit Vessel(const VesselDescription &description);
+  virtual ~Vessel() = default;
+  Vessel(const Vessel &) = delete;
+  Vessel &operator=(const Vessel &) = delete;
+
+  const std::string &name() const { return description.name; }
+  double length() const { return description.length; }
+  unsigned int n_cells() const { return description.n_cells; }
+  double cell_length() const { return description.length / description.n_cells; }
+  double height(double z) const; ///< [m]
+  double height(End end) const;  ///< [m]
+
+  /// Mean values of the cells [m^2], [m^3/s].
+  const std::vector<double> &areas() const { return area; }
+  const std::vector<double> &flows() const { return flow; }
+  /// Volume of the liquid [m^3].
+  double volume() const;
+  /// The pressure [Pa], flow rate [m^3/s] and area [m^2] at z [m], linear between the centres of
+  /// the cells and the ends.
+  struct Values
+  {
+    double pressure, flow, area;
+  };
+  Values values(double z) const;
+  /// The state that the end had last.
+  const State &end_state(const End end) const { return of_end(end).state; }
+
+  /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error if there is
+  /// no area for it.
+  virtual void rest(double pressure) = 0;
+  /// Any state, of the centres of the cells [m^2], [m^3/s].
+  void set(const std::vector<double> &areas, const std::vector<double> &flows);
+
+  /// The largest step [s] for a Courant number 1, also of the friction.
+  virtual double largest_step() const = 0;
+  /// Keeps the state as that of the begin of a step.
+  void begin_step();
+  /// Finds the states on both sides of each face, and those inside the ends.
+  virtual void reconstruct() = 0;
+  /// One stage with a step of `step` [s] after reconstruct() and set_end(): the new state is
+  /// `share` times the state at the begin of the step, and (1 - share) times the state after the
+  /// stage.
+  virtual void advance(double step, double share) = 0;
+  /// Why the state is none: a closed tube, a number that is none, a flow as fast as the wave. Empty
+  /// text: it is one.
+  virtual VesselProblem problem() const = 0;
+
+  // What a node needs to know of an end.
+  /// Inside the end, after reconstruct().
+  const State &trace(const End end) const { return of_end(end).trace; }
+  void set_end(const End end, const State &state) { of_end(end).state = state; }
+  virtual double pressure(End end, double area) const = 0;  ///< [Pa]
+  virtual double stiffness(End end, double area) const = 0; ///< dp/dA [Pa/m^2]
+  /// [m^2]; from a near one.
+  virtual double area_at(End end, double pressure, double start) const = 0;
+  virtual const FlowLaw &flow_law() const = 0;
+
+protected:
+  struct EndStates
+  {
+    State trace, state;
+  };
+  VesselDescription description;
+  std::vector<double> area, flow;         ///< of the cells
+  std::vector<double> old_area, old_flow; ///< at the begin of the step
+
+  const EndStates &of_end(const End end) const { return ends[end == End::start ? 0 : 1]; }
+  EndStates &of_end(const End end) { return ends[end == End::start ? 0 : 1]; }
+  /// [Pa] at the centre of a cell.
+  virtual double pressure_at_centre(unsigned int cell, double area) const = 0;
+
+private:
+  EndStates ends[2];
+};
+
+/// A vessel with a wall law for each place: `wall(z)` for z [m] is of the type Wall
+/// (square_root_wall.h, neo_hookean_wall.h).
+template <typename Wall>
+std::unique_ptr<Vessel> make_vessel(const VesselDescription &description,
+                                    const FlowLaw &flow_law,
+                                    const std::function<Wall(double)> &wall);
+} // namespace Continua
+
+#endif

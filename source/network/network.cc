@@ -1,0 +1,122 @@
+#include <continua/network/network.h>
+
+#include <continua/base/input_error.h>
+#include <continua/base/six_digits.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Continua
+{
+namespace
+{
+/// Over the time to which a network goes on: what is less is a wave without a limit.
+constexpr double smallest_step = 1e-9;
+
+const char *const remedy = ". Lower the flow rate or the pressures at the terminals, raise the "
+                           "initial pressure, or give a "
+                           "stiffer wall";
+} // namespace
+
+Network::Network(std::vector<Edge> all_edges, const std::vector<TerminalLaw> &terminals)
+    : edges(std::move(all_edges))
+{
+  std::vector<std::vector<std::pair<Vessel *, Vessel::End>>> ends(terminals.size());
+  for (const Edge &edge : edges)
+  {
+    ends.at(edge.from).emplace_back(edge.vessel.get(), Vessel::End::start);
+    ends.at(edge.to).emplace_back(edge.vessel.get(), Vessel::End::end);
+  }
+  for (std::size_t node = 0; node < ends.size(); ++node)
+    if (ends[node].size() > 1)
+      junctions.emplace_back(ends[node]);
+    else if (ends[node].size() == 1)
+      loose_ends.push_back(
+          {Terminal(*ends[node][0].first, ends[node][0].second, terminals[node]), 0.});
+}
+
+double Network::volume() const
+{
+  double sum = 0.;
+  for (const Edge &edge : edges)
+    sum += edge.vessel->volume();
+  return sum;
+}
+
+void Network::rest(const double pressure)
+{
+  for (const Edge &edge : edges)
+    edge.vessel->rest(pressure);
+}
+
+void Network::solve_nodes(const bool at_end_of_step, const double length)
+{
+  try
+  {
+    for (Loose &loose : loose_ends)
+    {
+      const double inflow = loose.terminal.solve(at_end_of_step, now, length);
+      if (at_end_of_step)
+      {
+        entered += 0.5 * length * (loose.first_inflow + inflow);
+        loose.terminal.end_step();
+      }
+      else
+        loose.first_inflow = inflow;
+    }
+    for (Junction &junction : junctions)
+      junction.solve();
+  }
+  catch (const std::domain_error &error)
+  {
+    throw StepFailure("at " + six_digits(now) + " s: " + error.what() + remedy);
+  }
+}
+
+void Network::check_state() const
+{
+  for (const Edge &edge : edges)
+  {
+    const VesselProblem problem = edge.vessel->problem();
+    if (!problem.text.empty())
+      throw StepFailure("at " + six_digits(now) + " s, " + six_digits(problem.position) +
+                        " m from the start of the vessel '" + edge.vessel->name() +
+                        "': " + problem.text + remedy);
+  }
+}
+
+void Network::step(const double length)
+{
+  for (const Edge &edge : edges)
+    edge.vessel->begin_step();
+  for (const bool at_end_of_step : {false, true})
+  {
+    for (const Edge &edge : edges)
+      edge.vessel->reconstruct();
+    solve_nodes(at_end_of_step, length);
+    for (const Edge &edge : edges)
+      edge.vessel->advance(length, at_end_of_step ? 0.5 : 0.);
+  }
+  ++steps;
+}
+
+void Network::advance(const double end_time, const double courant_number)
+{
+  const double begin = now;
+  while (now < end_time)
+  {
+    double largest = end_time - now;
+    for (const Edge &edge : edges)
+      largest = std::min(largest, courant_number * edge.vessel->largest_step());
+    if (!(largest > smallest_step * (end_time - begin)))
+      throw StepFailure("at " + six_digits(now) +
+                        " s: the step has become too small for the waves");
+    const double n_left = std::ceil((end_time - now) / largest * (1. - 1e-12)),
+                 length = (end_time - now) / n_left;
+    step(length);
+    now = n_left > 1. ? now + length : end_time;
+    check_state();
+  }
+}
+} // namespace Continua

@@ -1,0 +1,412 @@
+#include <continua/network/vessel.h>
+
+#include <continua/network/neo_hookean_wall.h>
+#include <continua/network/square_root_wall.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace Continua
+{
+namespace
+{
+double square(const double x)
+{
+  return x * x;
+}
+
+/// How alike three second differences are [1]: 1 in a smooth wave, 0 at a jump.
+double likeness(const double before, const double of_cell, const double behind)
+{
+  const double a = before * of_cell, b = of_cell * behind;
+  if (!(a > 0. && b > 0.))
+    return 0.;
+  // Squares of the largest and the smallest one would overflow less often than their ratio.
+  const double sizes[] = {std::abs(before), std::abs(of_cell), std::abs(behind)};
+  const double largest = std::max(std::max(sizes[0], sizes[1]), sizes[2]),
+               smallest = std::min(std::min(sizes[0], sizes[1]), sizes[2]);
+  return std::min(std::max(4. * smallest / largest - 1., 0.), 1.);
+}
+
+/// The differences over a cell of the values of all.
+void set_differences(const std::vector<double> &values, std::vector<double> &differences)
+{
+  const std::size_t n = values.size();
+  if (n < 3)
+  {
+    differences.assign(n, n == 2 ? values[1] - values[0] : 0.);
+    return;
+  }
+  const auto first = [&](const std::size_t i) { return values[i + 1] - values[i]; };
+  double before = first(0), behind = first(1), last = behind - before, second = last;
+  differences[0] = before * behind > 0. ? before : 0.;
+  for (std::size_t i = 1; i + 1 < n; ++i)
+  {
+    const double further = i + 2 < n ? first(i + 1) : behind + second, next = further - behind,
+                 product = before * behind, mean = 0.5 * (before + behind),
+                 limited = product > 0. ? product / mean : 0., share = likeness(last, second, next);
+    differences[i] = limited + share * (mean - limited);
+    before = behind;
+    behind = further;
+    last = second;
+    second = next;
+  }
+  differences[n - 1] = before * (before - last) > 0. ? before : 0.;
+}
+
+template <typename Wall>
+class VesselWithWall : public Vessel
+{
+public:
+  VesselWithWall(const VesselDescription &description,
+                 const FlowLaw &liquid,
+                 const std::function<Wall(double)> &wall);
+
+  void rest(double pressure) override;
+  double largest_step() const override;
+  void reconstruct() override;
+  void advance(double step, double share) override;
+  VesselProblem problem() const override;
+  double pressure(const End end, const double area) const override
+  {
+    return wall_at(end).pressure(area);
+  }
+  double stiffness(const End end, const double area) const override
+  {
+    return wall_at(end).stiffness(area);
+  }
+  double area_at(const End end, const double pressure, const double start) const override
+  {
+    return wall_at(end).area(pressure, start);
+  }
+  const FlowLaw &flow_law() const override { return liquid; }
+
+private:
+  /// The state on one side of a face.
+  struct FaceState
+  {
+    double area, flow, pressure;
+    double stiffness; ///< dp/dA [Pa/m^2], for the speeds of waves
+  };
+  FlowLaw liquid;
+  std::vector<Wall> centres, faces;                              ///< by cell; by face
+  std::vector<double> weights;                                   ///< rho g height of the faces [Pa]
+  std::vector<double> heads, head_differences, flow_differences; ///< by cell
+  std::vector<FaceState> before, behind; ///< of each face, towards the start and the end
+  /// What crosses a face [m^3/s], and what its jump gives to the flow rates on its two sides.
+  struct Jump
+  {
+    double mass_flux, before, behind;
+  };
+  std::vector<Jump> jumps;
+
+  const Wall &wall_at(const End end) const
+  {
+    return end == End::start ? faces.front() : faces.back();
+  }
+  double pressure_at_centre(const unsigned int cell, const double of_area) const override
+  {
+    return centres[cell].pressure(of_area);
+  }
+  /// rho alpha U^2/2 [Pa].
+  double dynamic_pressure(const double of_area, const double of_flow) const
+  {
+    return 0.5 * liquid.density * liquid.momentum_correction * square(of_flow / of_area);
+  }
+  FaceState face_state(const Wall &wall, double head, double of_flow, double near_area) const;
+  /// The change of alpha Q^2/A + integral of A dp/rho from one state to another one.
+  double flux_change(const Wall &wall, const FaceState &from, const FaceState &to) const;
+  Jump jump_between(const Wall &wall, const FaceState &left, const FaceState &right) const;
+  /// Between the state inside an end and that on it.
+  Jump jump_at(End end) const;
+};
+
+template <typename Wall>
+VesselWithWall<Wall>::VesselWithWall(const VesselDescription &description,
+                                     const FlowLaw &liquid,
+                                     const std::function<Wall(double)> &wall)
+    : Vessel(description),
+      liquid(liquid),
+      weights(description.n_cells + 1),
+      heads(description.n_cells),
+      head_differences(description.n_cells),
+      flow_differences(description.n_cells),
+      before(description.n_cells + 1),
+      behind(description.n_cells + 1),
+      jumps(description.n_cells + 1)
+{
+  const double cell = cell_length();
+  for (unsigned int i = 0; i < description.n_cells; ++i)
+    centres.push_back(wall((i + 0.5) * cell));
+  for (unsigned int f = 0; f <= description.n_cells; ++f)
+  {
+    faces.push_back(wall(std::min(f * cell, description.length)));
+    weights[f] = liquid.density * liquid.gravity * height(f * cell);
+  }
+}
+
+template <typename Wall>
+void VesselWithWall<Wall>::rest(const double pressure)
+{
+  const auto area_of = [&](const Wall &wall, const double weight)
+  {
+    const double found = wall.area(pressure - weight, wall.reference_area());
+    if (!(found > 0.))
+      throw std::domain_error("the wall of the vessel '" + name() +
+                              "' has no state under the initial pressure");
+    return found;
+  };
+  for (unsigned int i = 0; i < n_cells(); ++i)
+    area[i] = area_of(centres[i], 0.5 * (weights[i] + weights[i + 1]));
+  std::fill(flow.begin(), flow.end(), 0.);
+  for (const End end : {End::start, End::end})
+  {
+    const unsigned int face = end == End::start ? 0 : n_cells();
+    of_end(end).state = of_end(end).trace = {area_of(faces[face], weights[face]), 0.};
+  }
+}
+
+template <typename Wall>
+double VesselWithWall<Wall>::largest_step() const
+{
+  const double friction = liquid.friction();
+  double largest = std::numeric_limits<double>::infinity();
+  for (unsigned int i = 0; i < n_cells(); ++i)
+  {
+    const double velocity = flow[i] / area[i],
+                 fastest = std::abs(liquid.momentum_correction * velocity) +
+                           liquid.relative_speed(area[i] * centres[i].stiffness(area[i]), velocity);
+    largest = std::min(largest, std::min(cell_length() / fastest, area[i] / friction));
+  }
+  return largest;
+}
+
+template <typename Wall>
+typename VesselWithWall<Wall>::FaceState VesselWithWall<Wall>::face_state(
+    const Wall &wall, const double head, const double of_flow, const double near_area) const
+{
+  constexpr unsigned int most_iterations = 20;
+  constexpr double tolerance = 1e-9; // the error after the last correction is its square
+  const double factor = liquid.density * liquid.momentum_correction * square(of_flow);
+  double of_area = wall.area(head - 0.5 * factor / square(near_area), near_area);
+  for (unsigned int i = 0; i < most_iterations; ++i)
+  {
+    const PressureAndStiffness values = wall.both(of_area);
+    const double inverse = 1. / of_area, dynamic = 0.5 * factor * inverse * inverse,
+                 change = (head - values.pressure - dynamic) /
+                          (values.stiffness - 2. * dynamic * inverse);
+    of_area += change;
+    if (std::abs(change) < tolerance * of_area)
+      return {of_area, of_flow, head - 0.5 * factor / square(of_area), values.stiffness};
+  }
+  // problem() finds it.
+  return {std::nan(""), of_flow, std::nan(""), std::nan("")};
+}
+
+template <typename Wall>
+void VesselWithWall<Wall>::reconstruct()
+{
+  const unsigned int n = n_cells();
+  for (unsigned int i = 0; i < n; ++i)
+    heads[i] = centres[i].pressure(area[i]) + 0.5 * (weights[i] + weights[i + 1]) +
+               dynamic_pressure(area[i], flow[i]);
+  set_differences(heads, head_differences);
+  set_differences(flow, flow_differences);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const double head = 0.5 * head_differences[i], of_flow = 0.5 * flow_differences[i];
+    behind[i] = face_state(faces[i], heads[i] - head - weights[i], flow[i] - of_flow, area[i]);
+    before[i + 1] =
+        face_state(faces[i + 1], heads[i] + head - weights[i + 1], flow[i] + of_flow, area[i]);
+  }
+  of_end(End::start).trace = {behind.front().area, behind.front().flow};
+  of_end(End::end).trace = {before.back().area, before.back().flow};
+}
+
+template <typename Wall>
+double VesselWithWall<Wall>::flux_change(const Wall &wall,
+                                         const FaceState &from,
+                                         const FaceState &to) const
+{
+  // Simpson over the pressure.
+  const double middle = wall.area(0.5 * (from.pressure + to.pressure), 0.5 * (from.area + to.area));
+  return liquid.momentum_correction * (square(to.flow) / to.area - square(from.flow) / from.area) +
+         (from.area + 4. * middle + to.area) * (to.pressure - from.pressure) /
+             (6. * liquid.density);
+}
+
+template <typename Wall>
+typename VesselWithWall<Wall>::Jump VesselWithWall<Wall>::jump_between(const Wall &wall,
+                                                                       const FaceState &left,
+                                                                       const FaceState &right) const
+{
+  const auto speeds = [&](const FaceState &state)
+  {
+    const double velocity = state.flow / state.area, middle = liquid.momentum_correction * velocity,
+                 relative = liquid.relative_speed(state.area * state.stiffness, velocity);
+    return std::make_pair(middle - relative, middle + relative);
+  };
+  const auto [left_slow, left_fast] = speeds(left);
+  const auto [right_slow, right_fast] = speeds(right);
+  const double slow = std::min(std::min(left_slow, right_slow), 0.),
+               fast = std::max(std::max(left_fast, right_fast), 0.), width = fast - slow;
+  const double of_area = right.area - left.area, of_flow = right.flow - left.flow,
+               of_flux = flux_change(wall, left, right), diffusion = slow * fast / width;
+  return {left.flow - slow / width * of_flow + diffusion * of_area,
+          -slow / width * of_flux + diffusion * of_flow,
+          fast / width * of_flux - diffusion * of_flow};
+}
+
+template <typename Wall>
+typename VesselWithWall<Wall>::Jump VesselWithWall<Wall>::jump_at(const End end) const
+{
+  const State &state = of_end(end).state;
+  const Wall &wall = wall_at(end);
+  const FaceState on = {state.area, state.flow, wall.pressure(state.area), 0.};
+  if (end == End::start)
+    return {on.flow, 0., flux_change(wall, on, behind.front())};
+  return {on.flow, flux_change(wall, before.back(), on), 0.};
+}
+
+template <typename Wall>
+void VesselWithWall<Wall>::advance(const double step, const double share)
+{
+  const unsigned int n = n_cells();
+  const double ratio = step / cell_length(), friction = liquid.friction();
+  jumps.front() = jump_at(End::start);
+  jumps.back() = jump_at(End::end);
+  for (unsigned int f = 1; f < n; ++f)
+    jumps[f] = jump_between(faces[f], before[f], behind[f]);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const FaceState &left = behind[i], &right = before[i + 1];
+    // Of alpha U dQ + A dH/rho over the cell, by Simpson.
+    const double inside =
+        liquid.momentum_correction * (right.flow - left.flow) *
+            (left.flow / left.area + 4. * flow[i] / area[i] + right.flow / right.area) / 6. +
+        (left.area + 4. * area[i] + right.area) * head_differences[i] / (6. * liquid.density);
+    const double new_area = area[i] - ratio * (jumps[i + 1].mass_flux - jumps[i].mass_flux),
+                 new_flow = flow[i] - ratio * (jumps[i + 1].before + jumps[i].behind + inside) -
+                            step * friction * flow[i] / area[i];
+    area[i] = share * old_area[i] + (1. - share) * new_area;
+    flow[i] = share * old_flow[i] + (1. - share) * new_flow;
+  }
+}
+
+template <typename Wall>
+VesselProblem VesselWithWall<Wall>::problem() const
+{
+  for (unsigned int i = 0; i < n_cells(); ++i)
+  {
+    const double z = (i + 0.5) * cell_length();
+    if (!(area[i] > 0.))
+      return {z, "the tube is closed there"};
+    const double stiffness = centres[i].stiffness(area[i]);
+    if (!(stiffness > 0.))
+      return {z, "the wall widens there without a further pressure"};
+    if (!(square(flow[i] / area[i]) * liquid.momentum_correction * liquid.density <
+          area[i] * stiffness))
+      return {z, "the liquid is as fast as the wave there"};
+  }
+  return {0., ""};
+}
+} // namespace
+
+Vessel::Vessel(const VesselDescription &description)
+    : description(description),
+      area(description.n_cells),
+      flow(description.n_cells),
+      old_area(description.n_cells),
+      old_flow(description.n_cells)
+{
+  if (!(description.length > 0.) || description.n_cells == 0)
+    throw std::invalid_argument("A vessel has no length or no cell.");
+}
+
+double Vessel::height(const double z) const
+{
+  return description.height_at_start +
+         z / description.length * (description.height_at_end - description.height_at_start);
+}
+
+double Vessel::height(const End end) const
+{
+  return end == End::start ? description.height_at_start : description.height_at_end;
+}
+
+double Vessel::volume() const
+{
+  double sum = 0.;
+  for (const double of_cell : area)
+    sum += of_cell;
+  return sum * cell_length();
+}
+
+Vessel::Values Vessel::values(const double z) const
+{
+  const double cell = cell_length(), place = z / cell - 0.5;
+  const auto at_centre = [&](const unsigned int i) {
+    return Values{pressure_at_centre(i, area[i]), flow[i], area[i]};
+  };
+  const auto at_end = [&](const End end)
+  {
+    const State &state = of_end(end).state;
+    return Values{pressure(end, state.area), state.flow, state.area};
+  };
+  Values first{}, second{};
+  double share = 0.; // of the second
+  if (place < 0.)
+  {
+    first = at_end(End::start);
+    second = at_centre(0);
+    share = z / (0.5 * cell);
+  }
+  else if (place >= n_cells() - 1.)
+  {
+    first = at_centre(n_cells() - 1);
+    second = at_end(End::end);
+    share = std::min((z - (length() - 0.5 * cell)) / (0.5 * cell), 1.);
+  }
+  else
+  {
+    const unsigned int i = static_cast<unsigned int>(place);
+    first = at_centre(i);
+    second = at_centre(i + 1);
+    share = place - i;
+  }
+  const auto between = [&](const double a, const double b) { return a + share * (b - a); };
+  return {between(first.pressure, second.pressure), between(first.flow, second.flow),
+          between(first.area, second.area)};
+}
+
+void Vessel::set(const std::vector<double> &areas, const std::vector<double> &flows)
+{
+  area = areas;
+  flow = flows;
+  of_end(End::start).state = {areas.front(), flows.front()};
+  of_end(End::end).state = {areas.back(), flows.back()};
+}
+
+void Vessel::begin_step()
+{
+  old_area = area;
+  old_flow = flow;
+}
+
+template <typename Wall>
+std::unique_ptr<Vessel> make_vessel(const VesselDescription &description,
+                                    const FlowLaw &flow_law,
+                                    const std::function<Wall(double)> &wall)
+{
+  return std::make_unique<VesselWithWall<Wall>>(description, flow_law, wall);
+}
+
+template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
+                                             const FlowLaw &,
+                                             const std::function<SquareRootWall(double)> &);
+template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
+                                             const FlowLaw &,
+                                             const std::function<NeoHookeanWall(double)> &);
+} // namespace Continua

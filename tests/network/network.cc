@@ -1,0 +1,206 @@
+// What stands at the ends of vessels, and vessels that meet, against reflection coefficients of
+// small waves, a windkessel in closed form, and a tube in one piece.
+
+#include <continua/network/network.h>
+#include <continua/network/square_root_wall.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../unit_test.h"
+
+namespace test_of_network
+{
+using namespace Continua;
+
+namespace
+{
+constexpr double density = 1000.; // kg/m^3
+
+struct Tube
+{
+  unsigned int from, to;
+  double length, area, speed; ///< [m], [m^2], [m/s]
+  unsigned int n_cells;
+};
+
+Network network_of(const std::vector<Tube> &tubes, const std::vector<TerminalLaw> &terminals)
+{
+  FlowLaw law;
+  law.density = density;
+  law.viscosity = 0.;
+  std::vector<Network::Edge> edges;
+  for (const Tube &tube : tubes)
+  {
+    VesselDescription description;
+    description.name = "tube";
+    description.length = tube.length;
+    description.n_cells = tube.n_cells;
+    const auto wall = [tube](double)
+    { return SquareRootWall(tube.area, 0., density * tube.speed * tube.speed); };
+    edges.push_back({make_vessel<SquareRootWall>(description, law, wall), tube.from, tube.to});
+  }
+  Network network(std::move(edges), terminals);
+  network.rest(0.);
+  return network;
+}
+
+/// A pulse of the flow rate, of this height and length.
+TerminalLaw pulse(const double height, const double length)
+{
+  TerminalLaw law;
+  law.type = TerminalLaw::Type::flow_rate;
+  law.value = [=](const double time)
+  {
+    const double sine = std::sin(FlowLaw::pi * time / length);
+    return time < length ? height * sine * sine : 0.;
+  };
+  return law;
+}
+
+TerminalLaw end_of(const TerminalLaw::Type type)
+{
+  TerminalLaw law;
+  law.type = type;
+  return law;
+}
+
+double impedance(const Tube &tube)
+{
+  return density * tube.speed / tube.area;
+}
+
+/// The largest and smallest pressure in the middle of a vessel after the pulse has gone by.
+double
+extreme_after(Network &network, const unsigned int vessel, const double begin, const double end)
+{
+  double extreme = 0.;
+  network.advance(begin, 0.9);
+  for (unsigned int i = 1; i <= 200; ++i)
+  {
+    network.advance(begin + i * (end - begin) / 200., 0.9);
+    const double pressure =
+        network.vessel(vessel).values(0.5 * network.vessel(vessel).length()).pressure;
+    if (std::abs(pressure) > std::abs(extreme))
+      extreme = pressure;
+  }
+  return extreme;
+}
+
+void check_reflections()
+{
+  const Tube tube = {0, 1, 1., 3e-4, 5., 100};
+  const double small = 1e-9, height = small * impedance(tube);
+  const auto reflected = [&](const TerminalLaw &end)
+  {
+    Network network = network_of({tube}, {pulse(small, 0.08), end});
+    return extreme_after(network, 0, 0.21, 0.39) / height;
+  };
+  check::absolute("absorbing end", reflected(end_of(TerminalLaw::Type::absorbing)), 0., 5e-4);
+  check::absolute("closed end", reflected(end_of(TerminalLaw::Type::closed)), 1., 0.015);
+  TerminalLaw resistance = end_of(TerminalLaw::Type::resistance);
+  resistance.resistance = 3. * impedance(tube);
+  check::absolute("resistance", reflected(resistance), 0.5, 0.0075);
+  TerminalLaw open = end_of(TerminalLaw::Type::pressure);
+  open.value = [](double) { return 0.; };
+  check::absolute("open end", reflected(open), -1., 0.015);
+
+  // A pulse that widens the tube leaves, too.
+  Network network = network_of({tube}, {pulse(3e-4, 0.08), end_of(TerminalLaw::Type::absorbing)});
+  const double high = extreme_after(network, 0, 0., 0.2),
+               left = extreme_after(network, 0, 0.21, 0.39);
+  check::is_true("high pulse: the tube widens by more than a third", high > 2500.);
+  check::absolute("high pulse: what returns from an absorbing end", left / high, 0., 2e-3);
+}
+
+void check_junction()
+{
+  const Tube parent = {0, 1, 1., 3e-4, 5., 100}, first = {1, 2, 1., 1e-4, 6., 100},
+             second = {3, 1, 1., 1.5e-4, 8., 100}; // starts at its loose end
+  const double small = 1e-9, height = small * impedance(parent);
+  const TerminalLaw absorbing = end_of(TerminalLaw::Type::absorbing);
+  const double inflow = 1. / impedance(parent),
+               outflow = 1. / impedance(first) + 1. / impedance(second);
+  const std::vector<TerminalLaw> laws = {pulse(small, 0.08), absorbing, absorbing, absorbing};
+  Network network = network_of({parent, first, second}, laws);
+  check::absolute("junction: reflected", extreme_after(network, 0, 0.21, 0.39) / height,
+                  (inflow - outflow) / (inflow + outflow), 0.003);
+  network = network_of({parent, first, second}, laws);
+  check::absolute("junction: passes", extreme_after(network, 2, 0.2, 0.39) / height,
+                  2. * inflow / (inflow + outflow), 0.01);
+
+  // High waves: no liquid is lost, and the total pressure is the same on all sides.
+  std::vector<TerminalLaw> high = laws;
+  high.front() = pulse(2e-4, 0.3);
+  network = network_of({parent, first, second}, high);
+  const double volume = network.volume();
+  network.advance(0.35, 0.9);
+  check::absolute("junction: volume", network.volume() - volume - network.inflow(), 0.,
+                  1e-13 * volume);
+  const auto head = [&](const unsigned int vessel, const Vessel::End end)
+  {
+    const Vessel::State &state = network.vessel(vessel).end_state(end);
+    const double velocity = state.flow / state.area;
+    return network.vessel(vessel).pressure(end, state.area) + 0.5 * density * velocity * velocity;
+  };
+  const double of_parent = head(0, Vessel::End::end);
+  check::is_true("junction: there is a flow",
+                 network.vessel(0).end_state(Vessel::End::end).flow > 1e-5);
+  check::relative("junction: head of the first", head(1, Vessel::End::start), of_parent, 1e-10);
+  check::relative("junction: head of the second", head(2, Vessel::End::end), of_parent, 1e-10);
+}
+
+/// A tube that is cut, once with its second part reversed, does as the whole one.
+void check_cut_tube()
+{
+  const TerminalLaw absorbing = end_of(TerminalLaw::Type::absorbing), in = pulse(1e-4, 0.1);
+  Network whole = network_of({{0, 1, 1., 3e-4, 5., 200}}, {in, absorbing}),
+          cut = network_of({{0, 1, 0.5, 3e-4, 5., 100}, {2, 1, 0.5, 3e-4, 5., 100}},
+                           {in, absorbing, absorbing});
+  double largest = 0., difference = 0.;
+  for (unsigned int i = 1; i <= 60; ++i)
+  {
+    whole.advance(0.005 * i, 0.8);
+    cut.advance(0.005 * i, 0.8);
+    const double pressure = whole.vessel(0).values(0.75).pressure;
+    largest = std::fmax(largest, std::abs(pressure));
+    difference = std::fmax(difference, std::abs(pressure - cut.vessel(1).values(0.25).pressure));
+  }
+  check::absolute("cut tube", difference / largest, 0., 1e-3);
+}
+
+/// A constant flow rate into a windkessel through a tube whose impedance is that of the proximal
+/// resistance, which the wave passes within `delay` [s]: pressure at the end over the exact one,
+/// less
+/// 1. Behind the first wave none returns, since the flow rate is given.
+double error_of_windkessel(const double compliance)
+{
+  TerminalLaw in = end_of(TerminalLaw::Type::flow_rate),
+              windkessel = end_of(TerminalLaw::Type::windkessel);
+  in.value = [](double) { return 1e-6; };
+  // Stiff: the tube stores a thousandth of what the compliance does.
+  const Tube tube = {0, 1, 0.01, 1e-5, 200., 5};
+  windkessel.resistance = impedance(tube);
+  windkessel.distal_resistance = 1e9;
+  windkessel.compliance = compliance;
+  windkessel.pressure_behind = 100.;
+  windkessel.initial_pressure = 100.;
+  Network network = network_of({tube}, {in, windkessel});
+  network.rest(100.);
+  const double delay = 0.01 / 200.;
+  network.advance(0.1, 0.9);
+  const double exact = 100. + 1e-6 * (windkessel.resistance +
+                                      1e9 * (1. - std::exp(-(0.1 - delay) / (1e9 * compliance))));
+  return network.vessel(0).values(0.01).pressure / exact - 1.;
+}
+} // namespace
+
+UNIT_TEST(network)
+{
+  check_reflections();
+  check_junction();
+  check_cut_tube();
+  check::absolute("windkessel", error_of_windkessel(2e-10), 0., 1e-3);
+  check::absolute("windkessel that fills within a step", error_of_windkessel(1e-16), 0., 1e-6);
+}
+} // namespace test_of_network
