@@ -69,9 +69,9 @@ void check_unit_load(const Case<dim> &input, ParameterSection root)
 {
   const std::string &name = input.harmonic.unit_load;
   ParameterSection harmonic = root.subsection("Harmonic");
-  const auto found = std::find_if(input.problem.conditions.begin(), input.problem.conditions.end(),
-                                  [&name](const BoundaryCondition &condition)
-                                  { return condition.name == name; });
+  const auto found =
+      std::find_if(input.problem.conditions.begin(), input.problem.conditions.end(),
+                   [&name](const BoundaryCondition &condition) { return condition.name == name; });
   if (found == input.problem.conditions.end())
     harmonic.refuse("Unit load at", "there is no boundary condition '" + name + "'",
                     "Give the name of a subsection of Boundaries");
@@ -144,9 +144,9 @@ void Harmonic<dim>::take_loads()
   else
     for (const HarmonicLoadSource &source : system->sources())
       loads.push_back({source.name, source.condition,
-                       turned(system->load_of(source, 0.), source.condition < 0
-                                                               ? harmonic.body_force_phase
-                                                               : harmonic.phases[source.condition])});
+                       turned(system->load_of(source, 0.),
+                              source.condition < 0 ? harmonic.body_force_phase
+                                                   : harmonic.phases[source.condition])});
   for (const NamedLoad &load : loads)
     total.add(1., load.load);
 }
@@ -184,7 +184,7 @@ void Harmonic<dim>::perform()
   std::vector<Complex> all_s;
   for (const double frequency : input.harmonic.frequencies)
     all_s.emplace_back(0., 2. * numbers::PI * frequency);
-  run.log.line("Solver: " + system->solver_name());
+  run.log.detail("Solver: " + system->solver_name());
   try
   {
     SectionTimer::Scope scope(run.log.timer(), "frequencies");
@@ -214,6 +214,7 @@ void Harmonic<dim>::perform()
   text << all_s.size() << (all_s.size() == 1 ? " frequency" : " frequencies") << " of "
        << system->n_unknowns() << " unknowns";
   run.log.line(text.str());
+  run.summary.set("solver of the frequencies", system->solver_name());
   run.summary.set("frequencies", static_cast<double>(all_s.size()));
   run.summary.set("memory of the factors [bytes]", system->factor_memory());
   run.summary.add({"largest residual", system->largest_residual(), "1", ""});

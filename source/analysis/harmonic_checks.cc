@@ -9,9 +9,6 @@ void check_conditions(const Problem &problem, ParameterSection root, const std::
   for (const BoundaryCondition &condition : problem.conditions)
   {
     ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
-    if (condition.is_cavity())
-      section.refuse("Type", "the frequency domain has no cavities so far",
-                     "Use 'pressure' with an amplitude, or " + remedy);
     if (condition.outlet && condition.outlet->coupling == Outlet::Coupling::flow)
       section.refuse("Coupling",
                      "in the frequency domain the distribution of the velocity over an outlet is "
@@ -54,8 +51,9 @@ void check_harmonic_body(const Case<dim> &input, ParameterSection root, const st
   ParameterSection linear_solver = root.subsection("Linear solver");
   const LinearSolverParameters &solver = input.discretisation.taylor_hood.linear_solver;
   if (solver.type == LinearSolverType::iterative)
-    linear_solver.refuse("Type", "the frequency domain has an indefinite complex matrix, which is "
-                                 "solved directly",
+    linear_solver.refuse("Type",
+                         "the frequency domain has an indefinite complex matrix, which is "
+                         "solved directly",
                          "Use automatic or direct");
   if (linear_solver.given("Factor precision"))
     linear_solver.refuse("Factor precision", "the complex factor has double precision",

@@ -1,6 +1,7 @@
 #include <continua/analysis/harmonic_tables.h>
 
 #include <continua/base/six_digits.h>
+#include <continua/base/undefined.h>
 #include <continua/continuum/field_list.h>
 
 #include <algorithm>
@@ -10,6 +11,9 @@ namespace Continua
 {
 namespace
 {
+/// Of a plane model for a depth of 1 m.
+constexpr const char *unit_of_impedance = "Pa s/m^3";
+
 /// "at 10 Hz".
 std::string at_frequency(const double frequency)
 {
@@ -40,9 +44,8 @@ void add_numbers(const std::complex<double> &value, std::vector<double> &row)
 } // namespace
 
 template <int dim>
-std::vector<std::complex<double>> probe_values(HarmonicSystem<dim> &system,
-                                               Probes<dim> &probes,
-                                               const HarmonicSolution &solution)
+std::vector<std::complex<double>>
+probe_values(HarmonicSystem<dim> &system, Probes<dim> &probes, const HarmonicSolution &solution)
 {
   // The imaginary part first, so that the real one is what the solver shows.
   system.show(solution, {0., -1.});
@@ -63,8 +66,8 @@ HarmonicTables<dim>::HarmonicTables(Run<dim> &run,
 {
   for (std::size_t l = 0; l < loads.size(); ++l)
     if (loads[l].condition >= 0)
-      ends.push_back({loads[l].name, static_cast<unsigned int>(loads[l].condition),
-                      static_cast<int>(l)});
+      ends.push_back(
+          {loads[l].name, static_cast<unsigned int>(loads[l].condition), static_cast<int>(l)});
   for (const unsigned int condition : system.ports())
     if (std::none_of(ends.begin(), ends.end(),
                      [condition](const End &end) { return end.condition == condition; }))
@@ -98,10 +101,8 @@ void HarmonicTables<dim>::open()
   if (!names.empty())
     response = make("response.csv", names);
   names.clear();
-  const std::string of_impedance = dim == 3 || problem.model == Model::axisymmetric ? "Pa s/m^3"
-                                                                                    : "Pa s/m^2";
   for (const End &end : ends)
-    add_names(end.name + ": impedance", of_impedance, names);
+    add_names(end.name + ": impedance", unit_of_impedance, names);
   if (!names.empty())
     impedance = make("impedance.csv", names);
   names.clear();
@@ -153,21 +154,20 @@ void HarmonicTables<dim>::record_impedances(const double frequency,
   for (const End &end : ends)
   {
     const Complex flow_rate = system.flow_rate(end.condition, solution);
-    Complex of_end;
-    if (end.load >= 0)
+    // Without a flow there is none.
+    Complex of_end(undefined, undefined);
+    if (flow_rate != 0. && end.load >= 0)
       of_end = 2. * system.power_of(loads[end.load].load, solution, total) / std::norm(flow_rate);
-    else
+    else if (flow_rate != 0.)
       for (std::size_t port = 0; port < system.ports().size(); ++port)
         if (system.ports()[port] == end.condition)
           of_end = solution.port_pressures[port] / flow_rate;
     add_numbers(of_end, row);
     const auto &listed = run.input.harmonic.listed;
-    if (std::find(listed.begin(), listed.end(), frequency) == listed.end())
+    if (flow_rate == 0. || std::find(listed.begin(), listed.end(), frequency) == listed.end())
       continue;
-    const std::string unit =
-        dim == 3 || run.input.problem.model == Model::axisymmetric ? "Pa s/m^3" : "Pa s/m^2";
     run.summary.add(
-        {"impedance" + at_frequency(frequency), std::abs(of_end), unit, end.name});
+        {"impedance" + at_frequency(frequency), std::abs(of_end), unit_of_impedance, end.name});
     run.summary.add(
         {"phase of impedance" + at_frequency(frequency), std::arg(of_end), "rad", end.name});
   }

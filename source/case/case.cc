@@ -331,9 +331,8 @@ Case<dim>::Case(ParameterFile &file,
   absorbing_ends.add(*this, root, restart);
   probes.check(*triangulation, field_names<dim>(problem), pairs);
   probes.check_limits(problem.conditions,
-                      {discretisation.is_cell_wise(),
-                       analysis.is_modal() || analysis.is_harmonic(), in_time,
-                       problem.deformation == Deformation::finite, are_solid,
+                      {discretisation.is_cell_wise(), analysis.is_modal() || analysis.is_harmonic(),
+                       in_time, problem.deformation == Deformation::finite, are_solid,
                        problem.some_mesh_moves()},
                       field_names<dim>(problem));
   n_histories = probes.expected_columns(field_names<dim>(problem)).size();

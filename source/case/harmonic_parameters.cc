@@ -73,13 +73,13 @@ void HarmonicParameters::add_range(ParameterSection section)
   {
     for (const char *key : {"Lowest frequency", "Number of frequencies", "Spacing"})
       if (section.given(key))
-        section.refuse(key, "the range has no end", "Give 'Highest frequency', or remove the entry");
+        section.refuse(key, "the range has no end",
+                       "Give 'Highest frequency', or remove the entry");
     return;
   }
   section.require("Lowest frequency");
   if (lowest >= highest)
-    section.refuse("Lowest frequency", "it is not below the highest frequency",
-                   "Give a lower one");
+    section.refuse("Lowest frequency", "it is not below the highest frequency", "Give a lower one");
   for (unsigned int k = 0; k < n; ++k)
   {
     const double part = static_cast<double>(k) / (n - 1);

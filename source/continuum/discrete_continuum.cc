@@ -46,10 +46,9 @@ template <int dim>
 std::unique_ptr<HarmonicSystem<dim>> DiscreteContinuum<dim>::harmonic_system()
 {
   stepping.share_state();
-  return discretisation->harmonic_system({stepping.present_velocity(),
-                                          stepping.present_displacement(),
-                                          stepping.present_pressure(),
-                                          stepping.present_mixtures()});
+  return discretisation->harmonic_system(
+      {stepping.present_velocity(), stepping.present_displacement(), stepping.present_pressure(),
+       stepping.present_mixtures()});
 }
 
 template <int dim>

@@ -25,7 +25,9 @@ void split(const HarmonicNumbers &values, DistributedVector &real, DistributedVe
   }
 }
 
-void join(const DistributedVector &real, const DistributedVector &imaginary, HarmonicNumbers &values)
+void join(const DistributedVector &real,
+          const DistributedVector &imaginary,
+          HarmonicNumbers &values)
 {
   values.resize(real.locally_owned_size());
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -94,8 +96,7 @@ TaylorHoodHarmonic<dim>::TaylorHoodHarmonic(const Space<dim> &space,
 template <int dim>
 std::string TaylorHoodHarmonic<dim>::solver_name() const
 {
-  return "MUMPS, complex L D L^T with pivoting, " +
-         std::to_string(factors->n_side_by_side()) +
+  return "MUMPS, complex L D L^T with pivoting, " + std::to_string(factors->n_side_by_side()) +
          (factors->n_side_by_side() == 1 ? " frequency" : " frequencies") + " at a time";
 }
 
@@ -239,8 +240,9 @@ void TaylorHoodHarmonic<dim>::apply(const HarmonicCoefficients &at_s,
         at_s.mass[r], [&](Vector &y, const Vector &x) { products.multiply_mass(r, y, x); }, u, f,
         velocity_work);
     add(
-        at_s.stiffness[r], [&](Vector &y, const Vector &x) { products.multiply_stiffness(r, y, x); },
-        u, f, velocity_work);
+        at_s.stiffness[r],
+        [&](Vector &y, const Vector &x) { products.multiply_stiffness(r, y, x); }, u, f,
+        velocity_work);
     add(
         1., [&](Vector &y, const Vector &x) { products.multiply_gradient(r, y, x); }, p, f,
         velocity_work);
@@ -495,8 +497,7 @@ void TaylorHoodHarmonic<dim>::factor(const Complex s)
 }
 
 template <int dim>
-std::vector<HarmonicSolution>
-TaylorHoodHarmonic<dim>::solve(const std::vector<HarmonicLoad> &loads)
+std::vector<HarmonicSolution> TaylorHoodHarmonic<dim>::solve(const std::vector<HarmonicLoad> &loads)
 {
   AssertThrow(factored.size() == 1, ExcMessage("factor() comes before solve()."));
   return solve_in_use({loads})[0];
@@ -568,8 +569,8 @@ void TaylorHoodHarmonic<dim>::multiply(const Complex s,
 template <int dim>
 void TaylorHoodHarmonic<dim>::show(const HarmonicSolution &solution, const Complex factor)
 {
-  const auto set = [](const Complex of_all, const std::vector<Complex> &values,
-                      DistributedVector &vector)
+  const auto set =
+      [](const Complex of_all, const std::vector<Complex> &values, DistributedVector &vector)
   {
     for (std::size_t i = 0; i < values.size(); ++i)
       vector.begin()[i] = (of_all * values[i]).real();
@@ -689,10 +690,16 @@ template <int dim>
 std::complex<double> TaylorHoodHarmonic<dim>::flow_rate(const unsigned int condition,
                                                         const HarmonicSolution &solution)
 {
+  constexpr double round_off = 1e-12;
   Complex of_rank = 0.;
+  double size = 0.;
   for (const auto &[index, value] : entries_not_zero(load_list.flow_of_velocities(condition)))
+  {
     of_rank += value * solution.displacement[index];
-  return solution.s * sum(of_rank);
+    size += std::abs(value * solution.displacement[index]);
+  }
+  const Complex flow = sum(of_rank);
+  return std::abs(flow) > round_off * sum(size).real() ? solution.s * flow : 0.;
 }
 
 template class TaylorHoodHarmonic<2>;

@@ -90,8 +90,7 @@ struct MumpsInterface<std::complex<double>>
 template <typename Number>
 auto entries_of(Number *const numbers)
 {
-  using Entry =
-      std::remove_pointer_t<decltype(MumpsInterface<Number>::Structure::a_loc)>;
+  using Entry = std::remove_pointer_t<decltype(MumpsInterface<Number>::Structure::a_loc)>;
   static_assert(sizeof(Entry) == sizeof(Number), "MUMPS has other numbers.");
   return reinterpret_cast<Entry *>(numbers);
 }
@@ -348,9 +347,8 @@ void MumpsSolver<Number>::factorize(const int n,
 }
 
 template <typename Number>
-FactorEstimate MumpsSolver<Number>::keep_pattern(const int n,
-                                                 std::vector<int> rows,
-                                                 std::vector<int> columns)
+FactorEstimate
+MumpsSolver<Number>::keep_pattern(const int n, std::vector<int> rows, std::vector<int> columns)
 {
   for (std::vector<int> *const indices : {&rows, &columns})
     for (int &index : *indices)

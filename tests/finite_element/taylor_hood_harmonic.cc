@@ -92,10 +92,8 @@ double size_of(const Numbers &numbers)
 }
 
 /// What the equations leave at free entries, with the loads, relative to the forces.
-double residual(Body &tested,
-                const Complex s,
-                const HarmonicSolution &solution,
-                const HarmonicLoad &load)
+double
+residual(Body &tested, const Complex s, const HarmonicSolution &solution, const HarmonicLoad &load)
 {
   Numbers forces, dilatations;
   tested.system->multiply(s, solution, forces, dilatations);
@@ -224,8 +222,7 @@ UNIT_TEST(taylor_hood_harmonic)
     const HarmonicSolution &shown = one_by_one[1];
     tested.system->show(shown, std::polar(1., 0.8));
     double misfit = 0.;
-    const Complex modulus =
-        tested.problem.materials[1].complex_shear_modulus({shown.s.imag(), 0.});
+    const Complex modulus = tested.problem.materials[1].complex_shear_modulus({shown.s.imag(), 0.});
     for (unsigned int i = 0; i < shown.displacement.size(); ++i)
     {
       const Complex turned = std::polar(1., 0.8) * shown.displacement[i];

@@ -41,8 +41,8 @@ UNIT_TEST(mumps_solver)
       error = std::max({error, std::abs(columns[k] - x[k]), std::abs(columns[3 + k] - i * x[k])});
     check::absolute("two right-hand sides", error, 0., 1e-14);
     const Complex determinant = -a * c * c - b * b * d;
-    check::absolute("determinant",
-                    std::abs(std::exp(solver.log_determinant()) / determinant - 1.), 0., 1e-13);
+    check::absolute("determinant", std::abs(std::exp(solver.log_determinant()) / determinant - 1.),
+                    0., 1e-13);
   }
   std::vector<Complex> singular = {1., 0., 0., 0., 1.};
   check::throws<SingularMatrix>(

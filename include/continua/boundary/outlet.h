@@ -30,8 +30,8 @@ struct Outlet
   std::vector<unsigned int> conditions;
   /// Of the modelled part of the section: a quarter of a tube has a quarter of its flow.
   Impedance impedance;
-  /// The same at s [1/s], where no sum of first-order responses has to stand for it: of an absorbing
-  /// end of a tube in the frequency domain. Empty: `impedance` is exact.
+  /// The same at s [1/s], where no sum of first-order responses has to stand for it: of an
+  /// absorbing end of a tube in the frequency domain. Empty: `impedance` is exact.
   std::function<dealii::FullMatrix<std::complex<double>>(std::complex<double> s)> exact_impedance;
   Waveform pressure_behind; ///< [Pa], a function of time alone: added at the first port
   Coupling coupling = Coupling::pressure;

@@ -14,8 +14,8 @@ struct Case;
 /// What the body does in an analysis. It decides which section of the file is read.
 enum class Motion
 {
-  in_time,  ///< it moves from its initial state until an end time: section Time
-  at_rest,  ///< it has come to rest under its loads: section Steady
+  in_time,   ///< it moves from its initial state until an end time: section Time
+  at_rest,   ///< it has come to rest under its loads: section Steady
   vibrating, ///< it vibrates freely: section Modal
   harmonic   ///< it moves with exp(s t) under loads that do: sections of the analysis
 };

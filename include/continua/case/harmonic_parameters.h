@@ -16,7 +16,7 @@ struct HarmonicParameters
   std::vector<double> frequencies;       ///< [Hz], those of the list and of the range, increasing
   std::vector<double> field_frequencies; ///< [Hz], whose fields are written
   std::string unit_load; ///< the name of a boundary that alone has a load, of size one; or empty
-  std::vector<double> phases;  ///< of the loads of the boundaries, by condition [rad]
+  std::vector<double> phases;   ///< of the loads of the boundaries, by condition [rad]
   double body_force_phase = 0.; ///< [rad]
 
   /// Throws InputError.

@@ -22,14 +22,14 @@ struct HarmonicLoad
   void add(Complex factor, const HarmonicLoad &other);
 };
 
-/// The motion exp(s t) of the whole body: amplitudes of the owned entries of this rank. The velocity
-/// is s times the displacement, in liquids, too.
+/// The motion exp(s t) of the whole body: amplitudes of the owned entries of this rank. The
+/// velocity is s times the displacement, in liquids, too.
 struct HarmonicSolution
 {
   using Complex = std::complex<double>;
-  Complex s;                         ///< [1/s]
-  std::vector<Complex> displacement; ///< by velocity entry [m]
-  std::vector<Complex> pressure;     ///< by pressure entry [Pa]
+  Complex s;                                            ///< [1/s]
+  std::vector<Complex> displacement;                    ///< by velocity entry [m]
+  std::vector<Complex> pressure;                        ///< by pressure entry [Pa]
   std::vector<Complex> port_pressures, port_flow_rates; ///< by port [Pa], out of the body [m^3/s]
 
   void add(Complex factor, const HarmonicSolution &other);
@@ -128,8 +128,8 @@ public:
   /// Of the matrix of the last factor(), constrained rows and ports included, up to a factor that
   /// is the same for all s.
   virtual HarmonicDeterminant determinant() = 0;
-  /// The forces [N] and dilatations [m^3] that the system at s leaves of a motion: the left sides of
-  /// the equations, with the ports, at free entries, so that they are zero for a free vibration.
+  /// The forces [N] and dilatations [m^3] that the system at s leaves of a motion: the left sides
+  /// of the equations, with the ports, at free entries, so that they are zero for a free vibration.
   /// `solution.s` plays no part; its ports are taken by their impedance at s.
   virtual void multiply(Complex s,
                         const HarmonicSolution &solution,

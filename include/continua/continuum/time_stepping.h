@@ -101,8 +101,8 @@ private:
   DistributedVector velocity, velocity_older, pressure, pressure_older;
   double present_time = 0.;
   std::vector<DistributedVector> mixtures; ///< by region, of a harmonic motion alone
-  BalancedStep balanced;        ///< by the last step
-  DistributedVector prescribed; ///< velocities, constants set once [m/s]
+  BalancedStep balanced;                   ///< by the last step
+  DistributedVector prescribed;            ///< velocities, constants set once [m/s]
   // The last pressure known at a time of its own, from which that of an incompressible material is
   // extrapolated.
   DistributedVector pressure_known;

@@ -64,11 +64,10 @@ HarmonicMatrix::Part HarmonicMatrix::part_of(const SymmetricTriplets &triplets) 
   Part part;
   part.values = triplets.values;
   for (std::size_t k = 0; k < triplets.rows.size(); ++k)
-    part.places.push_back(
-        std::lower_bound(pattern.begin(), pattern.end(),
-                         static_cast<unsigned long long>(triplets.rows[k]) * n +
-                             triplets.columns[k]) -
-        pattern.begin());
+    part.places.push_back(std::lower_bound(pattern.begin(), pattern.end(),
+                                           static_cast<unsigned long long>(triplets.rows[k]) * n +
+                                               triplets.columns[k]) -
+                          pattern.begin());
   return part;
 }
 

@@ -81,9 +81,8 @@ void HarmonicPorts::set_responses(const Complex s, const FullMatrix<Complex> &re
   logarithm = invert(inverse);
 }
 
-std::vector<std::complex<double>>
-HarmonicPorts::pressures(const std::vector<Complex> &flow_rates,
-                         const std::vector<Complex> &given) const
+std::vector<std::complex<double>> HarmonicPorts::pressures(const std::vector<Complex> &flow_rates,
+                                                           const std::vector<Complex> &given) const
 {
   const unsigned int n = size();
   std::vector<Complex> right(n), result(n);

@@ -15,9 +15,9 @@ namespace Continua
 struct HarmonicCoefficients
 {
   using Complex = std::complex<double>;
-  std::vector<Complex> mass;            ///< s^2 rho [kg/(m^3 s^2)]
-  std::vector<Complex> stiffness;       ///< mu*(s) [Pa]
-  std::vector<Complex> compressibility; ///< 1/K*(s) [1/Pa]
+  std::vector<Complex> mass;                            ///< s^2 rho [kg/(m^3 s^2)]
+  std::vector<Complex> stiffness;                       ///< mu*(s) [Pa]
+  std::vector<Complex> compressibility;                 ///< 1/K*(s) [1/Pa]
   Complex support_stiffness = 1., support_damping = 0.; ///< [1], s [1/s]
 };
 
