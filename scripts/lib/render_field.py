@@ -15,6 +15,10 @@ import vtk
 from PIL import Image
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import render_streamlines  # noqa: E402
+
 
 NOTHING_TO_SEE = 4
 
@@ -234,12 +238,18 @@ def mesh_lines(grid):
     return edges.GetOutput()
 
 
-def surface(grid):
+def outside(grid):
+    """The faces of the surface, as the cells have them."""
     faces = vtk.vtkDataSetSurfaceFilter()
     faces.SetInputData(grid)
     faces.SetNonlinearSubdivisionLevel(2)
+    faces.Update()
+    return faces.GetOutput()
+
+
+def surface(grid):
     triangles = vtk.vtkTriangleFilter()
-    triangles.SetInputConnection(faces.GetOutputPort())
+    triangles.SetInputData(outside(grid))
     triangles.Update()
     return triangles.GetOutput()
 
@@ -405,17 +415,37 @@ def camera_of(renderer, bounds, direction):
             numpy.array([across, up]).T.tolist())
 
 
-def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, number):
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
+def coloured_actor(data, ranges):
+    """What is coloured by the values that are shown."""
     mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(faces)
+    mapper.SetInputData(data)
     mapper.SetLookupTable(colour_table(ranges))
     mapper.UseLookupTableScalarRangeOn()
     mapper.InterpolateScalarsBeforeMappingOn()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    coloured = vtk.vtkActor()
-    coloured.SetMapper(mapper)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def add_streamlines(renderer, body, flow, ranges, pixel):
+    """Lines with arrow heads in a body that is glass; `pixel` is the size of one [m]."""
+    body.GetMapper().ScalarVisibilityOff()
+    body.GetProperty().SetColor(0.55, 0.55, 0.6)
+    body.GetProperty().SetOpacity(0.25)
+    body.GetProperty().FrontfaceCullingOn()  # what lies behind the lines alone
+    flow.GetPointData().SetActiveScalars("shown")
+    for data in (flow, render_streamlines.arrow_heads(flow, 26 * pixel)):
+        actor = coloured_actor(data, ranges)
+        actor.GetProperty().SetLineWidth(2.5)
+        actor.GetProperty().LightingOff()
+        renderer.AddActor(actor)
+
+
+def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, number, flow=None):
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    coloured = coloured_actor(faces, ranges)
     if plane:
         coloured.GetProperty().LightingOff()
     else:
@@ -432,7 +462,9 @@ def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, nu
     drawn.GetProperty().LightingOff()
     (left, right, bottom, top), axes = camera_of(renderer, bounds, direction)
     width = 2 * request["pixels"]
-    if wants_lines(lines, width / (right - left), request.get("mesh"), plane):
+    if flow is not None:
+        add_streamlines(renderer, coloured, flow, ranges, (right - left) / width)
+    elif wants_lines(lines, width / (right - left), request.get("mesh"), plane):
         renderer.AddActor(drawn)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -566,8 +598,8 @@ def united(bounds, others):
     return tuple((min, max)[i % 2](bounds[i], others[i]) for i in range(6))
 
 
-def prepared(pieces, scale, liquid_follows=True):
-    """(the deformed part that is shown, where it is looked at from)."""
+def prepared(pieces, scale, liquid_follows=True, whole=False):
+    """(the deformed part that is shown, or all of it; where it is looked at from)."""
     grid = read(pieces)
     deform(grid, scale.deformation, liquid_follows, scale.mesh_moves)
     grid = only(grid, scale.regions)
@@ -581,7 +613,18 @@ def prepared(pieces, scale, liquid_follows=True):
     grid.GetPointData().SetActiveScalars("shown")
     if scale.plane:
         return grid, numpy.array([0, 0, 1.0])
+    if whole:
+        return grid, open_up(grid)[1]
     return wall_of(grid) if of_wall else open_up(grid)
+
+
+def flow_of(grid):
+    if grid.GetPointData().GetArray("velocity") is None:
+        fault("the states have no velocity, of which arrows or streamlines are")
+    lines = render_streamlines.streamlines(grid)
+    if lines is None or lines.GetNumberOfCells() == 0:
+        fault("nothing moves in this state, so that it has no streamlines")
+    return lines
 
 
 def main():
@@ -590,7 +633,8 @@ def main():
     if request["way"] != "gl" and not scale.plane:
         sys.exit("a solid mesh needs OpenGL: install xvfb, xauth and libgl1-mesa-dri")
     bounds, states = None, request["states"]
-    one = prepared(states[0], scale) if len(states) == 1 else None
+    has_streamlines = request.get("arrows") == "streamlines" and not scale.plane
+    one = prepared(states[0], scale, whole=has_streamlines) if len(states) == 1 else None
     for pieces in states:
         # Between the solids the liquid does not matter for the section, and its mesh takes long.
         bounds = united(bounds, (one or prepared(pieces, scale, False))[0].GetBounds())
@@ -602,13 +646,14 @@ def main():
         grid, direction = one or prepared(pieces, scale)
         if request.get("arrows") and scale.plane:
             dump_velocity(grid, request, number, bounds[:4], stretch)
-        faces, lines = surface(grid), mesh_lines(surface(grid) if not scale.plane else grid)
+        faces, lines = surface(render_streamlines.glass_of(grid) if has_streamlines else grid), mesh_lines(grid if scale.plane else outside(grid))
         faces.GetPointData().SetActiveScalars("shown")
         if request["way"] == "gl":
             if stretch != 1:
                 faces, lines = stretched(faces, stretch), stretched(lines, stretch)
             seen = [bound * (stretch if i in (2, 3) else 1) for i, bound in enumerate(bounds)]
-            left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number)
+            flow = flow_of(grid) if has_streamlines else None
+            left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number, flow)
             bottom, top = bottom / stretch, top / stretch
             if not scale.plane:
                 path = os.path.join(request["folder"], f"picture-{number}.png")
