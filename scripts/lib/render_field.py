@@ -21,6 +21,7 @@ import render_streamlines  # noqa: E402
 
 
 NOTHING_TO_SEE = 4
+CUT = "cells are cut"  # of a grid some of whose cells are pieces of those of the mesh
 
 
 def fault(text, status=3):
@@ -238,6 +239,23 @@ def mesh_lines(grid):
     return edges.GetOutput()
 
 
+def whole_cells(grid):
+    """Of a body that was cut: the cells with six faces, which are those of the mesh. The pieces of the others have fewer."""
+    if grid.GetFieldData().GetArray(CUT) is None:
+        return grid
+    whole = numpy.flatnonzero(vtk_to_numpy(grid.GetCellTypesArray()) == vtk.VTK_HEXAHEDRON)
+    if not whole.size:
+        return grid
+    ids = vtk.vtkIdList()
+    for number in whole:
+        ids.InsertNextId(int(number))
+    extract = vtk.vtkExtractCells()
+    extract.SetInputData(grid)
+    extract.SetCellList(ids)
+    extract.Update()
+    return extract.GetOutput()
+
+
 def outside(grid):
     """The faces of the surface, as the cells have them."""
     faces = vtk.vtkDataSetSurfaceFilter()
@@ -378,13 +396,16 @@ def open_up(grid):
     plane = vtk.vtkPlane()
     plane.SetOrigin(*((bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)))
     plane.SetNormal(0, 0, 1)
-    clip = vtk.vtkClipDataSet()
+    clip = vtk.vtkTableBasedClipDataSet()  # leaves the cells whole that it does not cut
     clip.SetInputData(grid)
     clip.SetClipFunction(plane)
     clip.InsideOutOn()
     clip.Update()
     half = vtk.vtkUnstructuredGrid()
     half.ShallowCopy(clip.GetOutput())
+    mark = vtk.vtkIntArray()
+    mark.SetName(CUT)
+    half.GetFieldData().AddArray(mark)
     return half, from_front
 
 
@@ -646,7 +667,7 @@ def main():
         grid, direction = one or prepared(pieces, scale)
         if request.get("arrows") and scale.plane:
             dump_velocity(grid, request, number, bounds[:4], stretch)
-        faces, lines = surface(render_streamlines.glass_of(grid) if has_streamlines else grid), mesh_lines(grid if scale.plane else outside(grid))
+        faces, lines = surface(render_streamlines.glass_of(grid) if has_streamlines else grid), mesh_lines(grid if scale.plane else outside(whole_cells(grid)))
         faces.GetPointData().SetActiveScalars("shown")
         if request["way"] == "gl":
             if stretch != 1:

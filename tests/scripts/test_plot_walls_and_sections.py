@@ -163,15 +163,15 @@ def cube():
     return grid
 
 
-def lattice(n, velocity, phase=lambda x, y, z: 0.0):
-    """n x n x n cells of a cube, 0 to 1, with a velocity, a phase of each cell's middle and the values x + 2 z; each cell has points of its own."""
+def lattice(n, velocity, phase=lambda x, y, z: 0.0, bottom=0.0):
+    """n x n x n cells of a cube, 0 to 1 (along z from `bottom`), with a velocity, a phase of each cell's middle and the values x + 2 z; each cell has points of its own."""
     grid, points = vtk.vtkUnstructuredGrid(), vtk.vtkPoints()
     vectors, phases, values = [], [], []
     for i, j, k in numpy.ndindex(n, n, n):
         cell = vtk.vtkHexahedron()
         for number, (a, b, c) in enumerate([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]):
             x, y, z = (i + a) / n, (j + b) / n, (k + c) / n
-            cell.GetPointIds().SetId(number, points.InsertNextPoint(x, y, z))
+            cell.GetPointIds().SetId(number, points.InsertNextPoint(x, y, z + bottom))
             vectors.append(velocity(x, y, z))
             values.append(x + 2 * z)
             phases.append(phase((i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n))
@@ -210,6 +210,16 @@ class Rendering(unittest.TestCase):
         self.assertTrue(render_field.wants_lines(lines, 5, True, True))
         self.assertFalse(render_field.wants_lines(lines, 20, False, True))
 
+        # Cells that the plane in the middle of a body cuts into pieces with fewer faces are no cells of the mesh.
+        body = lattice(3, lambda x, y, z: (0.0, 0.0, 0.0), lambda x, y, z: float(x > 0.5), -0.5)
+        points = render_field.vtk_to_numpy(body.GetPoints().GetData())
+        points[:, 2] += 1.7 * points[:, 0] + 0.9 * points[:, 1]
+        half, _ = render_field.open_up(body)
+        types = [half.GetCellType(i) for i in range(half.GetNumberOfCells())]
+        whole = render_field.whole_cells(half)
+        self.assertLess(whole.GetNumberOfCells(), len(types))
+        self.assertEqual([whole.GetCellType(i) for i in range(whole.GetNumberOfCells())], [vtk.VTK_HEXAHEDRON] * types.count(vtk.VTK_HEXAHEDRON))
+        self.assertIs(render_field.whole_cells(body), body)
         # The twelve edges of the cube: no face is cut into triangles.
         self.assertEqual(render_field.mesh_lines(render_field.outside(cube())).GetNumberOfLines(), 12)
 
