@@ -126,7 +126,8 @@ def title_of(name):
     """What a picture is called."""
     kind, _, rest = name.partition("-")
     rest = rest.replace("-", " ")
-    return {"history": rest, "wave": f"waves of {rest}", "field": f"state: {rest}", "power": "power", "wall": rest}.get(kind, name.replace("-", " "))
+    text = {"history": rest, "wave": f"waves of {rest}", "field": f"state: {rest}", "power": "power", "wall": rest}.get(kind, name.replace("-", " "))
+    return text[:1].upper() + text[1:]
 
 
 def assets():

@@ -107,6 +107,18 @@ class Tables(unittest.TestCase):
         self.assertEqual(scales["dispersion"], ["linear", "log"])
         self.assertNotIn("bending wave", [text for texts in self.sheet.legends.values() for text in texts])
 
+    def test_waves_of_one_attenuation(self):
+        """The wave that lies on another one is dashed, and the axis ends with what is drawn."""
+        rows = "".join(f"{f},6,{0.001 * f ** 2},200,{200.5 if f < 90 else 210}\n" for f in range(1, 101))
+        write(os.path.join(self.folder, "dispersion.csv"),
+              "frequency [Hz],pressure wave: phase speed [m/s],pressure wave: attenuation [1/m],bending wave: attenuation [1/m],other bending wave: attenuation [1/m]\n" + rows)
+        found = {}
+        self.sheet.save = lambda figure, name: found.update({"lines": {line.get_label(): line.get_linestyle() for line in figure.axes[1].lines},
+                                                             "limits": figure.axes[1].get_ylim()})
+        plot_waves.draw_dispersion(self.sheet, {**self.run, "summary": {"pre-flight report": {"load frequency [Hz]": 4.0}}})
+        self.assertEqual(found["lines"], {"pressure wave": "-", "bending wave": "-", "other bending wave": "--"})
+        numpy.testing.assert_allclose(found["limits"], (0.8 * 0.001, 1.25 * 200.5))
+
 
 def plane(nx, ny, field):
     """A state (xarray) of the unit square of nx times ny cells without common points, `field` of (x, y), of a liquid."""
