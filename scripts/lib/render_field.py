@@ -239,6 +239,35 @@ def mesh_lines(grid):
     return edges.GetOutput()
 
 
+def outline_of(grid):
+    """The ends of a plane body, and where liquid and solid meet: where colours are near white nothing else shows them."""
+    both = vtk.vtkAppendPolyData()
+    for way in (vtk.vtkThreshold.THRESHOLD_LOWER, vtk.vtkThreshold.THRESHOLD_UPPER):
+        part = grid
+        if grid.GetPointData().GetArray("phase") is not None:
+            choose = vtk.vtkThreshold()
+            choose.SetInputData(grid)
+            choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
+            choose.SetThresholdFunction(way)
+            choose.SetLowerThreshold(0.5)
+            choose.SetUpperThreshold(0.5)
+            choose.Update()
+            part = choose.GetOutput()
+        if not part.GetNumberOfCells():
+            continue
+        edges = vtk.vtkFeatureEdges()
+        edges.SetInputData(outside(render_streamlines.with_shared_points(part)))
+        edges.BoundaryEdgesOn()
+        edges.FeatureEdgesOff()
+        edges.NonManifoldEdgesOff()
+        edges.ManifoldEdgesOff()
+        edges.ColoringOff()
+        edges.Update()
+        both.AddInputData(edges.GetOutput())
+    both.Update()
+    return both.GetOutput()
+
+
 def whole_cells(grid):
     """Of a body that was cut: the cells with six faces, which are those of the mesh. The pieces of the others have fewer."""
     if grid.GetFieldData().GetArray(CUT) is None:
@@ -463,7 +492,7 @@ def add_streamlines(renderer, body, flow, ranges, pixel):
         renderer.AddActor(actor)
 
 
-def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, number, flow=None):
+def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, number, flow=None, outline=None):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     coloured = coloured_actor(faces, ranges)
@@ -486,6 +515,10 @@ def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, nu
     if flow is not None:
         add_streamlines(renderer, coloured, flow, ranges, (right - left) / width)
     elif wants_lines(lines, width / (right - left), request.get("mesh"), plane):
+        renderer.AddActor(drawn)
+    elif outline is not None:
+        line_mapper.SetInputData(outline)
+        drawn.GetProperty().SetColor(0.3, 0.3, 0.3)
         renderer.AddActor(drawn)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -674,7 +707,8 @@ def main():
                 faces, lines = stretched(faces, stretch), stretched(lines, stretch)
             seen = [bound * (stretch if i in (2, 3) else 1) for i, bound in enumerate(bounds)]
             flow = flow_of(grid) if has_streamlines else None
-            left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number, flow)
+            outline = stretched(outline_of(grid), stretch) if scale.plane else None
+            left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number, flow, outline)
             bottom, top = bottom / stretch, top / stretch
             if not scale.plane:
                 path = os.path.join(request["folder"], f"picture-{number}.png")

@@ -23,11 +23,15 @@ def liquid_of(grid):
 
 def glass_of(grid):
     """The liquid, whose cells share their points: its surface has no faces between cells."""
-    liquid = liquid_of(grid)
-    points = vtk_to_numpy(liquid.GetPoints().GetData()).astype(float)
+    return with_shared_points(liquid_of(grid))
+
+
+def with_shared_points(grid):
+    """The cells without their fields. Points at one place are one."""
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
     size = numpy.ptp(points, axis=0).max()
     _, first, numbers = numpy.unique(numpy.round(points / (1e-6 * size)).astype(numpy.int64), axis=0, return_index=True, return_inverse=True)
-    cells = liquid.GetCells()
+    cells = grid.GetCells()
     connectivity = numpy.ascontiguousarray(numbers.ravel()[vtk_to_numpy(cells.GetConnectivityArray())].astype(numpy.int64))
     offsets = numpy.ascontiguousarray(vtk_to_numpy(cells.GetOffsetsArray()).astype(numpy.int64))
     shared = vtk.vtkCellArray()
@@ -36,7 +40,7 @@ def glass_of(grid):
     at.SetData(numpy_to_vtk(points[first], deep=True))
     result = vtk.vtkUnstructuredGrid()
     result.SetPoints(at)
-    result.SetCells(liquid.GetCellTypesArray(), shared)
+    result.SetCells(grid.GetCellTypesArray(), shared)
     return result
 
 

@@ -235,6 +235,21 @@ class Rendering(unittest.TestCase):
         # The twelve edges of the cube: no face is cut into triangles.
         self.assertEqual(render_field.mesh_lines(render_field.outside(cube())).GetNumberOfLines(), 12)
 
+    def test_outline(self):
+        """Of 4 x 4 squares, of which those with x > 0.5 are solid: 12 edges round each half."""
+        grid, points, phases = vtk.vtkUnstructuredGrid(), vtk.vtkPoints(), []
+        for i, j in numpy.ndindex(4, 4):
+            cell = vtk.vtkQuad()
+            for number, (a, b) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+                cell.GetPointIds().SetId(number, points.InsertNextPoint((i + a) / 4, (j + b) / 4, 0))
+                phases.append(float(i > 1))
+            grid.InsertNextCell(vtk.VTK_QUAD, cell.GetPointIds())
+        grid.SetPoints(points)
+        array = numpy_to_vtk(numpy.array(phases), deep=True)
+        array.SetName("phase")
+        grid.GetPointData().AddArray(array)
+        self.assertEqual(render_field.outline_of(grid).GetNumberOfLines(), 24)
+
     def test_streamlines(self):
         """A body that turns about the middle of each plane z: a line stays at its distance from the axis, and has the field that is there."""
         grid = lattice(6, lambda x, y, z: (0.5 - y, x - 0.5, 0.0))
