@@ -98,6 +98,11 @@ n_jobs() {
   if [ "$memory" -lt "$cores" ]; then echo "$memory"; else echo "$cores"; fi
 }
 
+# Minutes of processor time that compiling the Release program takes, as scripts/measure/building measured them.
+building_minutes() {
+  awk -F , '$1 == "processor time" { printf "%.0f\n", $2 / 60 }' "$root/scripts/measure/building.csv"
+}
+
 # Sets `processor` to the processor seconds of all that this shell has started and waited for. (A subshell would have its own.)
 take_processor_seconds() {
   local file

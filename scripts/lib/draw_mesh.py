@@ -204,7 +204,7 @@ def draw_space(mesh):
     axes.set_axis_off()
     length = 0.12 * (high - low).max()
     for direction, text in zip(numpy.eye(3), "xyz"):
-        start = low - 0.1 * (high - low).max()
+        start = low - numpy.array([0.1, 0.1, 0.24]) * (high - low).max()  # below the names of the ends
         axes.quiver(*start, *(length * direction), color="black", linewidth=0.9, arrow_length_ratio=0.2)
         axes.text(*(start + 1.25 * length * direction), text, fontsize=8)
     for artist in axes.get_children():

@@ -160,8 +160,8 @@ def compose(sheet, run, picture, folder, of):
         if sheet.choice.arrows:
             plot_arrows.draw(axes, sheet.choice.arrows, picture, folder, body)
     else:
-        if sheet.choice.arrows:
-            raise plot_choice.ChoiceError(f"--{sheet.choice.arrows}: this is for plane bodies and sections (--section x=20mm)")
+        if sheet.choice.arrows == "vectors":
+            raise plot_choice.ChoiceError("--vectors: this is for plane bodies and sections (--section x=20mm); --streamlines is for bodies in space, too")
         axes.set_axis_off()
         orient(axes, picture["axes"], right - left, bottom)
     axes.set_title(title_of(sheet, picture, of), fontsize=8.5, loc="left")

@@ -71,7 +71,7 @@ def draw_series(sheet, runs, run, name, abscissa, panels):
         upper.set_ylabel(plot_style.axis_label(quantity, unit))
         draw_residuals(lower, x, values[residual], marker="o", color=plot_style.MEASURED)
         lower.set_xlabel(AXES[abscissa])
-        lower.set_ylabel("Rest / noise" if column == 0 else "")
+        lower.set_ylabel("Residual / noise" if column == 0 else "")
     plot_style.legend_above(figure, axes[0][0].get_lines(), sheet.width)
     finish(sheet, figure, name_of(runs, run, name), values, units)
 
@@ -104,7 +104,7 @@ def draw_inflation(sheet, runs, run):
                 handles.append(line)
         upper.set_ylabel(plot_style.axis_label(quantity, unit))
         lower.set_xlabel(plot_style.axis_label("pressure", unit_of_pressure))
-        lower.set_ylabel("Rest / noise" if column == 0 else "")
+        lower.set_ylabel("Residual / noise" if column == 0 else "")
     measured, = axes[0][0].plot([], [], "o", color="#555555", markersize=3, fillstyle="none", markeredgewidth=0.6, label="measured")
     plot_style.legend_above(figure, [measured, *handles], sheet.width)
     finish(sheet, figure, name_of(runs, run, "fit-inflation"), values, units)

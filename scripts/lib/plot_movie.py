@@ -393,7 +393,7 @@ def write_gif(figure, show_frame, n_frames, path, seconds, size):
     for i in range(n_frames):
         show_frame(i)
         data = io.BytesIO()
-        figure.savefig(data, format="png", dpi=resolution_for(figure, size) if size else "figure")
+        figure.savefig(data, format="png", dpi=resolution_for(figure, size) if size else plt.rcParams["savefig.dpi"])
         frames.append(filled(PIL.Image.open(data).convert("RGB"), size))
     palette = common_palette([frames[i] for i in evenly(n_frames, 8)])
     frames = [in_colours(frame, palette) for frame in frames]

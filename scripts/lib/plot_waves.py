@@ -350,16 +350,21 @@ def draw_dispersion(sheet, run):
             # A wave that there is only beyond these frequencies would be in the legend alone.
             if what != quantity or (positive & inside).sum() < 2:
                 continue
-            drawn.append(data[positive & inside, i])
+            # Two bending waves may have one attenuation: dashes show the one below, too.
+            curve = data[positive & inside, i]
+            is_covering = any(len(other) == len(curve) and numpy.median(abs(numpy.log(curve / other))) < 0.01 for other in drawn)
+            drawn.append(curve)
             is_exact = family in exact
             values = numpy.where(positive, data[:, i], numpy.nan)
-            axes.plot(data[:, 0], values, "-" if is_exact else plot_style.LINES[1 + families.index(family) % 3],
+            style = ((0, (4, 4)) if is_covering else "-") if is_exact else plot_style.LINES[1 + families.index(family) % 3]
+            axes.plot(data[:, 0], values, linestyle=style,
                       color=plot_style.COLOURS[families.index(family) % len(plot_style.COLOURS)],
                       linewidth=1.4 if is_exact else 0.9, label=family)
             axes.set_ylabel(plot_style.axis_label(quantity, unit))
         # A logarithmic axis is for decades; from 6 to 9 m/s it has no readable marks.
         if drawn and max(values.max() for values in drawn) > MOST_ON_A_LINEAR_AXIS * min(values.min() for values in drawn):
             axes.set_yscale("log")
+            axes.set_ylim(0.8 * min(values.min() for values in drawn), 1.25 * max(values.max() for values in drawn))
         elif drawn:
             axes.set_ylim(0.9 * min(values.min() for values in drawn), 1.1 * max(values.max() for values in drawn))
         mark_load(axes, run["summary"], axes is all_axes[0])

@@ -15,8 +15,13 @@ import vtk
 from PIL import Image
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import render_streamlines  # noqa: E402
+
 
 NOTHING_TO_SEE = 4
+CUT = "cells are cut"  # of a grid some of whose cells are pieces of those of the mesh
 
 
 def fault(text, status=3):
@@ -234,12 +239,64 @@ def mesh_lines(grid):
     return edges.GetOutput()
 
 
-def surface(grid):
+def outline_of(grid):
+    """The ends of a plane body, and where liquid and solid meet: where colours are near white nothing else shows them."""
+    both = vtk.vtkAppendPolyData()
+    for way in (vtk.vtkThreshold.THRESHOLD_LOWER, vtk.vtkThreshold.THRESHOLD_UPPER):
+        part = grid
+        if grid.GetPointData().GetArray("phase") is not None:
+            choose = vtk.vtkThreshold()
+            choose.SetInputData(grid)
+            choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
+            choose.SetThresholdFunction(way)
+            choose.SetLowerThreshold(0.5)
+            choose.SetUpperThreshold(0.5)
+            choose.Update()
+            part = choose.GetOutput()
+        if not part.GetNumberOfCells():
+            continue
+        edges = vtk.vtkFeatureEdges()
+        edges.SetInputData(outside(render_streamlines.with_shared_points(part)))
+        edges.BoundaryEdgesOn()
+        edges.FeatureEdgesOff()
+        edges.NonManifoldEdgesOff()
+        edges.ManifoldEdgesOff()
+        edges.ColoringOff()
+        edges.Update()
+        both.AddInputData(edges.GetOutput())
+    both.Update()
+    return both.GetOutput()
+
+
+def whole_cells(grid):
+    """Of a body that was cut: the cells with six faces, which are those of the mesh. The pieces of the others have fewer."""
+    if grid.GetFieldData().GetArray(CUT) is None:
+        return grid
+    whole = numpy.flatnonzero(vtk_to_numpy(grid.GetCellTypesArray()) == vtk.VTK_HEXAHEDRON)
+    if not whole.size:
+        return grid
+    ids = vtk.vtkIdList()
+    for number in whole:
+        ids.InsertNextId(int(number))
+    extract = vtk.vtkExtractCells()
+    extract.SetInputData(grid)
+    extract.SetCellList(ids)
+    extract.Update()
+    return extract.GetOutput()
+
+
+def outside(grid):
+    """The faces of the surface, as the cells have them."""
     faces = vtk.vtkDataSetSurfaceFilter()
     faces.SetInputData(grid)
     faces.SetNonlinearSubdivisionLevel(2)
+    faces.Update()
+    return faces.GetOutput()
+
+
+def surface(grid):
     triangles = vtk.vtkTriangleFilter()
-    triangles.SetInputConnection(faces.GetOutputPort())
+    triangles.SetInputData(outside(grid))
     triangles.Update()
     return triangles.GetOutput()
 
@@ -368,13 +425,16 @@ def open_up(grid):
     plane = vtk.vtkPlane()
     plane.SetOrigin(*((bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)))
     plane.SetNormal(0, 0, 1)
-    clip = vtk.vtkClipDataSet()
+    clip = vtk.vtkTableBasedClipDataSet()  # leaves the cells whole that it does not cut
     clip.SetInputData(grid)
     clip.SetClipFunction(plane)
     clip.InsideOutOn()
     clip.Update()
     half = vtk.vtkUnstructuredGrid()
     half.ShallowCopy(clip.GetOutput())
+    mark = vtk.vtkIntArray()
+    mark.SetName(CUT)
+    half.GetFieldData().AddArray(mark)
     return half, from_front
 
 
@@ -405,17 +465,37 @@ def camera_of(renderer, bounds, direction):
             numpy.array([across, up]).T.tolist())
 
 
-def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, number):
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
+def coloured_actor(data, ranges):
+    """What is coloured by the values that are shown."""
     mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(faces)
+    mapper.SetInputData(data)
     mapper.SetLookupTable(colour_table(ranges))
     mapper.UseLookupTableScalarRangeOn()
     mapper.InterpolateScalarsBeforeMappingOn()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    coloured = vtk.vtkActor()
-    coloured.SetMapper(mapper)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def add_streamlines(renderer, body, flow, ranges, pixel):
+    """Lines with arrow heads in a body that is glass; `pixel` is the size of one [m]."""
+    body.GetMapper().ScalarVisibilityOff()
+    body.GetProperty().SetColor(0.55, 0.55, 0.6)
+    body.GetProperty().SetOpacity(0.25)
+    body.GetProperty().FrontfaceCullingOn()  # what lies behind the lines alone
+    flow.GetPointData().SetActiveScalars("shown")
+    for data in (flow, render_streamlines.arrow_heads(flow, 26 * pixel)):
+        actor = coloured_actor(data, ranges)
+        actor.GetProperty().SetLineWidth(2.5)
+        actor.GetProperty().LightingOff()
+        renderer.AddActor(actor)
+
+
+def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, number, flow=None, outline=None):
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    coloured = coloured_actor(faces, ranges)
     if plane:
         coloured.GetProperty().LightingOff()
     else:
@@ -432,7 +512,13 @@ def draw_with_opengl(faces, lines, plane, ranges, request, direction, bounds, nu
     drawn.GetProperty().LightingOff()
     (left, right, bottom, top), axes = camera_of(renderer, bounds, direction)
     width = 2 * request["pixels"]
-    if wants_lines(lines, width / (right - left), request.get("mesh"), plane):
+    if flow is not None:
+        add_streamlines(renderer, coloured, flow, ranges, (right - left) / width)
+    elif wants_lines(lines, width / (right - left), request.get("mesh"), plane):
+        renderer.AddActor(drawn)
+    elif outline is not None:
+        line_mapper.SetInputData(outline)
+        drawn.GetProperty().SetColor(0.3, 0.3, 0.3)
         renderer.AddActor(drawn)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -566,8 +652,8 @@ def united(bounds, others):
     return tuple((min, max)[i % 2](bounds[i], others[i]) for i in range(6))
 
 
-def prepared(pieces, scale, liquid_follows=True):
-    """(the deformed part that is shown, where it is looked at from)."""
+def prepared(pieces, scale, liquid_follows=True, whole=False):
+    """(the deformed part that is shown, or all of it; where it is looked at from)."""
     grid = read(pieces)
     deform(grid, scale.deformation, liquid_follows, scale.mesh_moves)
     grid = only(grid, scale.regions)
@@ -581,7 +667,18 @@ def prepared(pieces, scale, liquid_follows=True):
     grid.GetPointData().SetActiveScalars("shown")
     if scale.plane:
         return grid, numpy.array([0, 0, 1.0])
+    if whole:
+        return grid, open_up(grid)[1]
     return wall_of(grid) if of_wall else open_up(grid)
+
+
+def flow_of(grid):
+    if grid.GetPointData().GetArray("velocity") is None:
+        fault("the states have no velocity, of which arrows or streamlines are")
+    lines = render_streamlines.streamlines(grid)
+    if lines is None or lines.GetNumberOfCells() == 0:
+        fault("nothing moves in this state, so that it has no streamlines")
+    return lines
 
 
 def main():
@@ -590,7 +687,8 @@ def main():
     if request["way"] != "gl" and not scale.plane:
         sys.exit("a solid mesh needs OpenGL: install xvfb, xauth and libgl1-mesa-dri")
     bounds, states = None, request["states"]
-    one = prepared(states[0], scale) if len(states) == 1 else None
+    has_streamlines = request.get("arrows") == "streamlines" and not scale.plane
+    one = prepared(states[0], scale, whole=has_streamlines) if len(states) == 1 else None
     for pieces in states:
         # Between the solids the liquid does not matter for the section, and its mesh takes long.
         bounds = united(bounds, (one or prepared(pieces, scale, False))[0].GetBounds())
@@ -602,13 +700,15 @@ def main():
         grid, direction = one or prepared(pieces, scale)
         if request.get("arrows") and scale.plane:
             dump_velocity(grid, request, number, bounds[:4], stretch)
-        faces, lines = surface(grid), mesh_lines(surface(grid) if not scale.plane else grid)
+        faces, lines = surface(render_streamlines.glass_of(grid) if has_streamlines else grid), mesh_lines(grid if scale.plane else outside(whole_cells(grid)))
         faces.GetPointData().SetActiveScalars("shown")
         if request["way"] == "gl":
             if stretch != 1:
                 faces, lines = stretched(faces, stretch), stretched(lines, stretch)
             seen = [bound * (stretch if i in (2, 3) else 1) for i, bound in enumerate(bounds)]
-            left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number)
+            flow = flow_of(grid) if has_streamlines else None
+            outline = stretched(outline_of(grid), stretch) if scale.plane else None
+            left, right, bottom, top, axes = draw_with_opengl(faces, lines, scale.plane, scale.ranges, request, direction, seen, number, flow, outline)
             bottom, top = bottom / stretch, top / stretch
             if not scale.plane:
                 path = os.path.join(request["folder"], f"picture-{number}.png")

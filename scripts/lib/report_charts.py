@@ -6,6 +6,7 @@ import os
 import zlib
 
 import continua.tables
+import manual_picture
 import numpy
 import plot_style
 from PIL import Image
@@ -47,7 +48,7 @@ def png_of(figure):
 def fewer_colours(data):
     stream = io.BytesIO()
     with Image.open(io.BytesIO(data)) as image:
-        image.convert("RGB").quantize(MOST_COLOURS).save(stream, format="png", optimize=True)
+        manual_picture.fewer_colours(image.convert("RGB"), MOST_COLOURS).save(stream, format="png", optimize=True)
     return stream.getvalue()
 
 
@@ -126,7 +127,8 @@ def title_of(name):
     """What a picture is called."""
     kind, _, rest = name.partition("-")
     rest = rest.replace("-", " ")
-    return {"history": rest, "wave": f"waves of {rest}", "field": f"state: {rest}", "power": "power", "wall": rest}.get(kind, name.replace("-", " "))
+    text = {"history": rest, "wave": f"waves of {rest}", "field": f"state: {rest}", "power": "power", "wall": rest}.get(kind, name.replace("-", " "))
+    return text[:1].upper() + text[1:]
 
 
 def assets():

@@ -443,7 +443,7 @@ class Fits(unittest.TestCase):
             for kind in kinds:
                 with open(os.path.join(plots, f"{kind}.svg"), encoding="utf-8") as stream:
                     drawn[kind] = stream.read()
-            for kind, texts in (("fit-relaxation", ("Relaxation modulus [MPa]", "measured", "Rest / noise")),
+            for kind, texts in (("fit-relaxation", ("Relaxation modulus [MPa]", "measured", "Residual / noise")),
                                 ("fit-inflation", ("axial stretch 1.5", "axial stretch 1.6", "Outer diameter [mm]", "Axial force [mN]")),
                                 ("correlation", ("stiffness", "exponent", "0.97"))):
                 for text in texts:

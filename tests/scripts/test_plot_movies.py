@@ -94,6 +94,7 @@ sys.exit(STATUS)
         self.assertEqual(os.listdir(self.plots), ["movie-pressure.gif"])
         with PIL.Image.open(os.path.join(self.plots, "movie-pressure.gif")) as image:
             self.assertEqual((image.n_frames, image.info["duration"]), (3, 500))
+            self.assertEqual(image.width, round(85 / 25.4 * 200))  # 200 pixels an inch
             for i in range(3):
                 image.seek(i)
                 self.assertEqual(image.convert("RGB").getpixel((1, 1)), (255, 255, 255))

@@ -27,6 +27,7 @@ import plot_movie  # noqa: E402
 import plot_wall  # noqa: E402
 import plot_waves  # noqa: E402
 import render_field  # noqa: E402
+import render_streamlines  # noqa: E402
 
 
 def header_of(path):
@@ -106,6 +107,18 @@ class Tables(unittest.TestCase):
         self.assertEqual(scales["dispersion"], ["linear", "log"])
         self.assertNotIn("bending wave", [text for texts in self.sheet.legends.values() for text in texts])
 
+    def test_waves_of_one_attenuation(self):
+        """The wave that lies on another one is dashed, and the axis ends with what is drawn."""
+        rows = "".join(f"{f},6,{0.001 * f ** 2},200,{200.5 if f < 90 else 210}\n" for f in range(1, 101))
+        write(os.path.join(self.folder, "dispersion.csv"),
+              "frequency [Hz],pressure wave: phase speed [m/s],pressure wave: attenuation [1/m],bending wave: attenuation [1/m],other bending wave: attenuation [1/m]\n" + rows)
+        found = {}
+        self.sheet.save = lambda figure, name: found.update({"lines": {line.get_label(): line.get_linestyle() for line in figure.axes[1].lines},
+                                                             "limits": figure.axes[1].get_ylim()})
+        plot_waves.draw_dispersion(self.sheet, {**self.run, "summary": {"pre-flight report": {"load frequency [Hz]": 4.0}}})
+        self.assertEqual(found["lines"], {"pressure wave": "-", "bending wave": "-", "other bending wave": "--"})
+        numpy.testing.assert_allclose(found["limits"], (0.8 * 0.001, 1.25 * 200.5))
+
 
 def plane(nx, ny, field):
     """A state (xarray) of the unit square of nx times ny cells without common points, `field` of (x, y), of a liquid."""
@@ -162,6 +175,27 @@ def cube():
     return grid
 
 
+def lattice(n, velocity, phase=lambda x, y, z: 0.0, bottom=0.0):
+    """n x n x n cells of a cube, 0 to 1 (along z from `bottom`), with a velocity, a phase of each cell's middle and the values x + 2 z; each cell has points of its own."""
+    grid, points = vtk.vtkUnstructuredGrid(), vtk.vtkPoints()
+    vectors, phases, values = [], [], []
+    for i, j, k in numpy.ndindex(n, n, n):
+        cell = vtk.vtkHexahedron()
+        for number, (a, b, c) in enumerate([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]):
+            x, y, z = (i + a) / n, (j + b) / n, (k + c) / n
+            cell.GetPointIds().SetId(number, points.InsertNextPoint(x, y, z + bottom))
+            vectors.append(velocity(x, y, z))
+            values.append(x + 2 * z)
+            phases.append(phase((i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n))
+        grid.InsertNextCell(vtk.VTK_HEXAHEDRON, cell.GetPointIds())
+    grid.SetPoints(points)
+    for name, array in (("velocity", vectors), ("phase", phases), ("shown", values)):
+        array = numpy_to_vtk(numpy.array(array, float), deep=True)
+        array.SetName(name)
+        grid.GetPointData().AddArray(array)
+    return grid
+
+
 class Rendering(unittest.TestCase):
     def test_section(self):
         """The plane y = 0.25 in the coordinates x and z, with the field as it is there."""
@@ -187,6 +221,61 @@ class Rendering(unittest.TestCase):
         self.assertFalse(render_field.wants_lines(lines, 5, None, True))
         self.assertTrue(render_field.wants_lines(lines, 5, True, True))
         self.assertFalse(render_field.wants_lines(lines, 20, False, True))
+
+        # Cells that the plane in the middle of a body cuts into pieces with fewer faces are no cells of the mesh.
+        body = lattice(3, lambda x, y, z: (0.0, 0.0, 0.0), lambda x, y, z: float(x > 0.5), -0.5)
+        points = render_field.vtk_to_numpy(body.GetPoints().GetData())
+        points[:, 2] += 1.7 * points[:, 0] + 0.9 * points[:, 1]
+        half, _ = render_field.open_up(body)
+        types = [half.GetCellType(i) for i in range(half.GetNumberOfCells())]
+        whole = render_field.whole_cells(half)
+        self.assertLess(whole.GetNumberOfCells(), len(types))
+        self.assertEqual([whole.GetCellType(i) for i in range(whole.GetNumberOfCells())], [vtk.VTK_HEXAHEDRON] * types.count(vtk.VTK_HEXAHEDRON))
+        self.assertIs(render_field.whole_cells(body), body)
+        # The twelve edges of the cube: no face is cut into triangles.
+        self.assertEqual(render_field.mesh_lines(render_field.outside(cube())).GetNumberOfLines(), 12)
+
+    def test_outline(self):
+        """Of 4 x 4 squares, of which those with x > 0.5 are solid: 12 edges round each half."""
+        grid, points, phases = vtk.vtkUnstructuredGrid(), vtk.vtkPoints(), []
+        for i, j in numpy.ndindex(4, 4):
+            cell = vtk.vtkQuad()
+            for number, (a, b) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+                cell.GetPointIds().SetId(number, points.InsertNextPoint((i + a) / 4, (j + b) / 4, 0))
+                phases.append(float(i > 1))
+            grid.InsertNextCell(vtk.VTK_QUAD, cell.GetPointIds())
+        grid.SetPoints(points)
+        array = numpy_to_vtk(numpy.array(phases), deep=True)
+        array.SetName("phase")
+        grid.GetPointData().AddArray(array)
+        self.assertEqual(render_field.outline_of(grid).GetNumberOfLines(), 24)
+
+    def test_streamlines(self):
+        """A body that turns about the middle of each plane z: a line stays at its distance from the axis, and has the field that is there."""
+        grid = lattice(6, lambda x, y, z: (0.5 - y, x - 0.5, 0.0))
+        self.assertEqual(len(render_streamlines.seeds_in(grid, 10**6)), 216)
+        self.assertTrue(20 <= len(render_streamlines.seeds_in(grid, 20)) <= 40)
+        lines = render_streamlines.streamlines(grid, 20)
+        self.assertGreaterEqual(lines.GetNumberOfCells(), 10)
+        points, values = (render_field.vtk_to_numpy(data) for data in (lines.GetPoints().GetData(), lines.GetPointData().GetArray("shown")))
+        numpy.testing.assert_allclose(values, points[:, 0] + 2 * points[:, 2], atol=1e-5)
+        for i in range(lines.GetNumberOfCells()):
+            ids = [lines.GetCell(i).GetPointIds().GetId(k) for k in range(lines.GetCell(i).GetPointIds().GetNumberOfIds())]
+            distance = numpy.hypot(points[ids, 0] - 0.5, points[ids, 1] - 0.5)
+            self.assertLess(numpy.ptp(distance), 0.02)
+            self.assertLess(numpy.ptp(points[ids, 2]), 1e-6)
+        heads = render_streamlines.arrow_heads(lines, 0.1)
+        self.assertGreater(heads.GetNumberOfPolys(), 12 * 10)
+        self.assertIsNone(render_streamlines.streamlines(lattice(2, lambda x, y, z: (0.0, 0.0, 0.0))))
+
+    def test_streamlines_in_the_liquid(self):
+        """The half x > 0.5 is solid: no line begins or ends there."""
+        grid = lattice(6, lambda x, y, z: (0.0, 1.0, 0.0), lambda x, y, z: float(x > 0.5))
+        points = render_field.vtk_to_numpy(render_streamlines.streamlines(grid, 50).GetPoints().GetData())
+        self.assertLessEqual(points[:, 0].max(), 0.5)
+        self.assertGreater(numpy.ptp(points[:, 1]), 0.95)
+        # The surface of 3 x 6 x 6 cells: two triangles a face, no face between cells.
+        self.assertEqual(render_field.surface(render_streamlines.glass_of(grid)).GetNumberOfPolys(), 2 * (2 * 36 + 4 * 18))
 
     def test_margins(self):
         """100 x 50 pixels of 2 m x 1 m, of which the columns 20 to 59 and the rows 10 to 29 show something."""

@@ -125,7 +125,7 @@ class Pages(unittest.TestCase):
         self.assertIn("(other)</th>", page)
         self.assertNotIn("data-chart=", page)
         self.assertIn("they need uPlot", page)
-        self.assertIn('alt="displacement y"', page)
+        self.assertIn('alt="Displacement y"', page)
 
     def test_running_and_missing(self):
         status, _, error = report(os.path.join(self.folder, "nothing"))
