@@ -72,6 +72,10 @@ def draw_fits(sheet, found):
         below.set_xlabel(plot_style.axis_label("time", time_unit))
         below.text(1.0, 1.02, "grey: ± noise", fontsize=7.5, ha="right", va="bottom", transform=below.transAxes)
         above.set_xlim(time_factor * time.min(), time_factor * time.max())
+        # A test of a material, whose rows go over decades.
+        if field == "relaxation" and time.min() > 0:
+            below.set_xscale("log")
+            above.set_ylabel(f"ln({record} modulus/Pa)")
         sheet.legend(above, 2)
         figure.align_ylabels()
         sheet.save(figure, "fit-" + plot_style.file_name(record))
