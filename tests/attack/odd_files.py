@@ -15,7 +15,8 @@ ROLES = {"parameters": ("channel.prm", "channel.prm"), "include": ("channel.prm"
          "inlet": ("channel.prm", "pulse.csv"), "relaxation": ("relaxation.prm", "relaxation.csv"),
          "measured": ("measured.prm", "measured.csv"), "shape": ("shape.prm", "shape.csv"),
          "stretch": ("stretch.prm", "stretch.csv"), "moduli": ("material-fit.prm", "moduli.csv"),
-         "inflation": ("artery-fit.prm", "inflation.csv"),
+         "inflation": ("artery-fit.prm", "inflation.csv"), "vessels": ("network.prm", "vessels.csv"),
+         "terminals": ("network.prm", "terminals.csv"),
          "mesh": ("block.prm", "block.msh"), "drawing": ("block.prm", "block.geo")}
 KINDS = ("pipe", "folder", "circle", "dangling", "zero", "full", "null", "random", "terminal", "utf-16", "latin-1",
          "empty", "blank", "huge-line", "huge-comment", "deep-unit", "deep-sections", "deep-includes", "no-permission",
@@ -127,7 +128,7 @@ class Attack:
         return runs.corpus_lines("odd-files.txt")
 
     def trials(self, number, seed):
-        """Names: KIND as ROLE. There are no more than about 180."""
+        """Names: KIND as ROLE. There are no more than about 300."""
         names = [f"{kind} as {role}" for kind, role in itertools.product(KINDS, ROLES)]
         names += [f"{kind} as output" for kind in OUTPUTS]
         return random.Random(seed).sample(names, min(number, len(names)))
