@@ -50,7 +50,7 @@ def is_wide(values):
 def look(i, curve):
     of_run = plot_style.of_run(i, len(curve["frequency"]))
     if len(curve["frequency"]) < FEWEST_OF_A_CURVE:
-        of_run.update(marker="o", markersize=3.5, markevery=1)
+        of_run.update(marker="o", markersize=3.5, markevery=1, linestyle="none")
     return of_run
 
 
@@ -60,8 +60,9 @@ def draw_bode(sheet, curves, name):
     for i, curve in enumerate(curves):
         frequency = curve["frequency"]
         panels[0].plot(frequency, factor * abs(curve["values"]), label=curve["label"], **look(i, curve))
-        # A phase has no jumps but where the response passes zero.
-        phase = numpy.degrees(numpy.unwrap(numpy.angle(curve["values"])))
+        # Along a curve a phase has no jumps but where the response passes zero.
+        phase = numpy.angle(curve["values"])
+        phase = numpy.degrees(phase if len(frequency) < FEWEST_OF_A_CURVE else numpy.unwrap(phase))
         panels[1].plot(frequency, phase, **look(i, curve))
     if is_wide(numpy.concatenate([curve["frequency"] for curve in curves])):
         for axes in panels:
@@ -69,7 +70,7 @@ def draw_bode(sheet, curves, name):
     if is_wide(numpy.concatenate([abs(curve["values"]) for curve in curves])):
         panels[0].set_yscale("log")
     else:
-        panels[0].set_ylim(0, None)
+        panels[0].set_ylim(0, 1.08 * factor * max(numpy.nanmax(abs(curve["values"])) for curve in curves))
     what = "ratio" if name.startswith("transfer") else "magnitude" if name == "impedance" else f"amplitude of {curves[0]['field']}"
     panels[0].set_ylabel(plot_style.axis_label(what, unit))
     panels[1].set_ylabel("Phase [°]")
