@@ -13,11 +13,6 @@ namespace
 constexpr unsigned int n_between = 8;
 /// The approximation is closer to the samples than it has to be between them by this factor.
 constexpr double closer_at_samples = 0.01;
-
-std::complex<double> laplace_point(const double frequency)
-{
-  return {0., 2. * M_PI * frequency};
-}
 } // namespace
 
 FrequencyRefinement::FrequencyRefinement(const double lowest,
@@ -25,7 +20,7 @@ FrequencyRefinement::FrequencyRefinement(const double lowest,
                                          const bool is_logarithmic,
                                          const Responses &responses,
                                          const FrequencyRefinementOptions &options)
-    : is_logarithmic(is_logarithmic)
+    : is_logarithmic(is_logarithmic), tilt(options.tilt)
 {
   if (!(lowest >= 0.) || !(highest > lowest) || (is_logarithmic && !(lowest > 0.)) ||
       !(options.tolerance > 0.) || options.first_frequencies < 3 || options.checks == 0)
@@ -64,6 +59,11 @@ FrequencyRefinement::FrequencyRefinement(const double lowest,
     before = std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
     approximate(options.tolerance);
   }
+}
+
+std::complex<double> FrequencyRefinement::laplace_point(const double frequency) const
+{
+  return 2. * M_PI * frequency * Complex(tilt, 1.);
 }
 
 double

@@ -94,6 +94,26 @@ UNIT_TEST(frequency_refinement)
       },
       0.01, 100., true, 40);
 
+  // Off the axis a resonance without damping is known, too: its pole is where it is.
+  FrequencyRefinementOptions tilted;
+  tilted.tilt = 0.05;
+  const auto undamped = [](const std::vector<double> &frequencies)
+  {
+    std::vector<std::vector<Complex>> result;
+    for (const double frequency : frequencies)
+    {
+      const Complex s = 2. * M_PI * frequency * Complex(0.05, 1.);
+      result.push_back({1. / (s * s + 900.) + 1. / (s * s + 1600.)});
+    }
+    return result;
+  };
+  const FrequencyRefinement without_damping(1., 10., false, undamped, tilted);
+  double nearest = 1e300;
+  for (const Complex &pole : without_damping.approximation().poles())
+    nearest = std::min(nearest, std::abs(pole - Complex(0., 40.)));
+  check::is_true("without damping", without_damping.has_converged());
+  check::absolute("pole without damping", nearest, 0., 1e-5);
+
   const auto noise = [](const std::vector<double> &frequencies)
   {
     std::vector<std::vector<Complex>> result;

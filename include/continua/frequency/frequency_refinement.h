@@ -17,13 +17,16 @@ struct FrequencyRefinementOptions
   double tolerance = 1e-3;
   unsigned int first_frequencies = 7;
   unsigned int most_frequencies = 200;
+  /// The responses are those at s = 2 pi f (i + tilt): 0 at real frequencies; with more, narrow
+  /// resonances are wide [1].
+  double tilt = 0.;
   /// Checks of a round where approximations differ, beside the one in the widest gap [1].
   unsigned int checks = 2;
 };
 
 /**
  * Chooses the frequencies of a band at which responses are computed, until a rational approximation
- * of them (RationalApproximation, in s = i omega) is known to hold between the frequencies. The
+ * of them (RationalApproximation, in s) is known to hold between the frequencies. The
  * first ones are equidistant on a linear or logarithmic scale. Each round computes the responses
  * where the present approximation differs most from the one of the round before, and in the middle
  * of the widest gap. These are checks first, of the present approximation, and samples then. The
@@ -61,8 +64,11 @@ private:
   std::vector<double> choose_checks(unsigned int n_checks) const;
   double difference(const RationalApproximation &other, double frequency) const;
   double between(double from, double to, double part) const;
+  /// s of a frequency [rad/s].
+  Complex laplace_point(double frequency) const;
 
   bool is_logarithmic;
+  double tilt;
   std::vector<double> places;
   std::vector<std::vector<Complex>> samples;
   std::unique_ptr<RationalApproximation> previous, present;
