@@ -92,8 +92,11 @@ def columns(path):
 
 
 def fields_of_tables(run):
-    """The fields of probes.csv and of the waves' tables."""
+    """The fields of probes.csv, of the responses and of the waves' tables."""
     found = []
+    for column in columns(os.path.join(run["folder"], "response.csv")):
+        if column.endswith(" amplitude"):
+            found.append(column.rpartition(": ")[2][: -len(" amplitude")])
     for path in [os.path.join(run["folder"], "probes.csv"),
                  *sorted(glob.glob(os.path.join(glob.escape(run["folder"]), "wave*.csv")))]:
         for column in header(path)[1:]:

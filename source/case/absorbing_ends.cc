@@ -9,6 +9,7 @@
 #include <continua/case/tube_wave_case.h>
 #include <continua/continuum/rest_state.h>
 #include <continua/mesh/round_section.h>
+#include <continua/theory/end_impedance.h>
 #include <continua/theory/impedance_fit.h>
 #include <continua/theory/korteweg.h>
 #include <continua/theory/matched_impedance.h>
@@ -230,6 +231,32 @@ void fit_tube_end(const AbsorbingEndParameters &asked,
     end.left_out = above;
 }
 
+/// In the frequency domain; tried at the ends of the range. Throws InputError.
+EndImpedance exact_end(const EndImpedance &impedance,
+                       const std::vector<double> &frequencies,
+                       const ParameterSection &section)
+{
+  for (const char *key : fit_keys)
+    if (section.given(key))
+      section.refuse(key, "in the frequency domain the impedance is exact, and nothing is fitted",
+                     "Remove the entry");
+  std::set<double> tried;
+  for (const double frequency : frequencies)
+    if (frequency > 0. && (tried.empty() || frequency == frequencies.back()))
+      try
+      {
+        tried.insert(frequency);
+        impedance({0., 2. * dealii::numbers::PI * frequency});
+      }
+      catch (const RunError &error)
+      {
+        section.refuse("Type", error.what(),
+                       "Give other frequencies: in this tube there is no such wave. If there is "
+                       "none at all, use 'resistance' or 'windkessel'");
+      }
+  return impedance;
+}
+
 /// One end of a vessel. Without a spectrum the impedance is zero, to be loaded.
 template <int dim>
 void add_tube_end(Case<dim> &input,
@@ -313,14 +340,19 @@ void add_tube_end(Case<dim> &input,
                  outlet.impedance, end);
   else
     outlet.impedance.direct.reinit(outlet.conditions.size(), outlet.conditions.size());
-  ends.push_back(end);
+  if (!input.analysis.is_harmonic())
+    ends.push_back(end);
 
   // A part of the section has that part of the flow.
   try
   {
-    scale(outlet.impedance,
-          1. / find_round_section(*input.triangulation, condition.boundary_id, condition.region_ids)
-                   .fraction);
+    const double part =
+        1. / find_round_section(*input.triangulation, condition.boundary_id, condition.region_ids)
+                 .fraction;
+    scale(outlet.impedance, part);
+    if (input.analysis.is_harmonic())
+      outlet.exact_impedance =
+          exact_end(EndImpedance(tube, wall_end, part), input.harmonic.frequencies, section);
   }
   catch (const std::invalid_argument &error)
   {
@@ -346,7 +378,7 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool rest
         .refuse("Type", "there is no wave in a state at rest that could leave",
                 "Use 'pressure' or 'resistance', or Analysis = transient");
   // Wave theory knows these ends without an impedance of the time domain.
-  if (!input.analysis.is_transient())
+  if (!input.analysis.is_transient() && !input.analysis.is_harmonic())
     return;
   const std::vector<VesselBranch<dim>> branches = input.geometry->branches();
   if (branches.empty())
@@ -373,7 +405,7 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool rest
       boundaries.subsection(condition.name)
           .refuse("Type", "a tube goes on at its ends only", "Use it at " + names);
   std::optional<LoadSpectrum> spectrum;
-  if (!restart)
+  if (!restart && input.analysis.is_transient())
   {
     const double memory = LoadSpectrum::memory(input.time.end_time, input.time.smallest_step());
     const MemoryLimit limit = memory_limit_of(input);

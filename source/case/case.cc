@@ -250,6 +250,11 @@ Case<dim>::Case(ParameterFile &file,
   }
   else if (analysis.is_modal())
     modal.read(root.subsection("Modal"));
+  else if (analysis.is_harmonic())
+  {
+    if (analysis.name == "harmonic")
+      harmonic.read(root.subsection("Harmonic"));
+  }
   else
     rest.read(root.subsection("Steady"), problem.is_nonlinear());
   if (analysis.is_transient() &&
@@ -262,7 +267,7 @@ Case<dim>::Case(ParameterFile &file,
                   "unloaded shape only",
                   "Remove it, or set Initial state/Type = steady or mean, Unloaded shape = inverse "
                   "solve or Analysis = steady");
-  if (!analysis.is_modal())
+  if (!analysis.is_modal() && !analysis.is_harmonic())
   {
     ParameterSection section = root.subsection("Adaptivity");
     adaptation.read(section, in_time);
@@ -284,7 +289,7 @@ Case<dim>::Case(ParameterFile &file,
   probes.read(root.subsection("Probes"), problem.boundaries, problem.regions, geometry->branches(),
               geometry->interfaces());
   read_measured_waves(probes, in_time, measured_waves);
-  if (!analysis.is_modal())
+  if (!analysis.is_modal() && !analysis.is_harmonic())
     error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
 
@@ -308,6 +313,8 @@ Case<dim>::Case(ParameterFile &file,
       pairs.insert({boundary, region});
   problem.conditions = read_boundary_conditions(root.subsection("Boundaries"), problem.boundaries,
                                                 problem.regions, pairs, dim, axisymmetric);
+  if (analysis.name == "harmonic")
+    harmonic.read_phases(root, problem.conditions);
 
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
@@ -324,7 +331,8 @@ Case<dim>::Case(ParameterFile &file,
   absorbing_ends.add(*this, root, restart);
   probes.check(*triangulation, field_names<dim>(problem), pairs);
   probes.check_limits(problem.conditions,
-                      {discretisation.is_cell_wise(), analysis.is_modal(), in_time,
+                      {discretisation.is_cell_wise(),
+                       analysis.is_modal() || analysis.is_harmonic(), in_time,
                        problem.deformation == Deformation::finite, are_solid,
                        problem.some_mesh_moves()},
                       field_names<dim>(problem));

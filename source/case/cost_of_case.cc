@@ -69,7 +69,8 @@ CostInput cost_of_fields(const Case<dim> &input)
   cost.has_supg = input.problem.convection.is_on &&
                   input.problem.convection.stabilisation == ConvectionStabilisation::supg;
   cost.linear_solver = taylor_hood.linear_solver;
-  cost.is_of_vibrations = input.analysis.is_modal();
+  // Both have an indefinite matrix, which is factored.
+  cost.is_of_vibrations = input.analysis.is_modal() || input.analysis.is_harmonic();
   cost.memory_limit = taylor_hood.outlook.memory_limit;
   cost.n_ranks = Utilities::MPI::n_mpi_processes(input.communicator);
   if (input.analysis.is_transient())
@@ -82,8 +83,12 @@ CostInput cost_of_fields(const Case<dim> &input)
   }
   else
   {
-    cost.to_rest = !input.analysis.is_modal();
-    cost.n_steps = cost.to_rest ? 1. : solves_of_modes;
+    cost.to_rest = !cost.is_of_vibrations;
+    cost.n_steps = input.analysis.is_harmonic() ? input.harmonic.frequencies.size()
+                   : cost.to_rest               ? 1.
+                                                : solves_of_modes;
+    if (input.analysis.is_harmonic())
+      cost.n_factors = input.harmonic.frequencies.size();
   }
   return cost;
 }

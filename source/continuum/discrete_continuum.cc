@@ -43,6 +43,16 @@ std::unique_ptr<VibrationOperator<dim>> DiscreteContinuum<dim>::vibration()
 }
 
 template <int dim>
+std::unique_ptr<HarmonicSystem<dim>> DiscreteContinuum<dim>::harmonic_system()
+{
+  stepping.share_state();
+  return discretisation->harmonic_system({stepping.present_velocity(),
+                                          stepping.present_displacement(),
+                                          stepping.present_pressure(),
+                                          stepping.present_mixtures()});
+}
+
+template <int dim>
 std::vector<FieldComponent> DiscreteContinuum<dim>::fields() const
 {
   return field_names<dim>(problem);

@@ -75,6 +75,13 @@ void LoadList::add(const double time, DistributedVector &forces) const
       forces.add((*item.waveform)(origin, time), item.unit);
 }
 
+void LoadList::add_of(const int condition, const double time, DistributedVector &forces) const
+{
+  for (const Item &item : all_items())
+    if (item.condition == condition && !item.waveform->is_zero())
+      integrate(item, item.waveform, time, forces);
+}
+
 bool LoadList::jumps(const double begin, const double end) const
 {
   bool found = false;

@@ -95,6 +95,11 @@ double ProbeWeights::share(const State &state,
       add(1., *forces);
       break;
     case Source::mixture:
+      if (state.mixtures != nullptr)
+      {
+        add(1., (*state.mixtures)[part.region]);
+        break;
+      }
       const Material &material = materials[part.region];
       if (material.shear.viscosity != 0.)
         add(material.shear.viscosity, state.velocity);

@@ -7,6 +7,11 @@ void set_mixture(const State &state,
                  const Material &material,
                  DistributedVector &mixture)
 {
+  if (state.mixtures != nullptr)
+  {
+    mixture.equ(1., (*state.mixtures)[region]);
+    return;
+  }
   mixture = 0.;
   state.history.mix(region, mixture);
   if (material.shear.viscosity != 0.)

@@ -7,6 +7,7 @@
 #include <continua/finite_element/products/matrix_free_regions.h>
 #include <continua/finite_element/products/supports.h>
 #include <continua/finite_element/space/place_of_entry.h>
+#include <continua/finite_element/taylor_hood_harmonic.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
 
 namespace Continua
@@ -283,6 +284,16 @@ std::unique_ptr<VibrationOperator<dim>> TaylorHood<dim>::vibration(const Vibrati
     assemble_velocity_operators<dim>(space, all_cells<dim>, operators);
   return std::make_unique<TaylorHoodVibration<dim>>(space, problem, operators, constraints,
                                                     systems.step_system(), state);
+}
+
+template <int dim>
+std::unique_ptr<HarmonicSystem<dim>> TaylorHood<dim>::harmonic_system(const HarmonicState &state)
+{
+  // Its solver is direct and needs the matrices.
+  if (!operators.empty() && operators.front().products)
+    assemble_velocity_operators<dim>(space, all_cells<dim>, operators);
+  return std::make_unique<TaylorHoodHarmonic<dim>>(space, problem, operators, constraints,
+                                                   load_list, products, state);
 }
 
 template class TaylorHood<2>;

@@ -5,11 +5,14 @@
 #include <continua/linear_algebra/singular_matrix.h>
 
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <dmumps_c.h>
 #include <numeric>
 #include <smumps_c.h>
 #include <stdexcept>
+#include <type_traits>
+#include <zmumps_c.h>
 
 namespace Continua
 {
@@ -74,6 +77,24 @@ struct MumpsInterface<float>
   static void call(Structure &structure) { smumps_c(&structure); }
   static MPI_Datatype type() { return MPI_FLOAT; }
 };
+
+template <>
+struct MumpsInterface<std::complex<double>>
+{
+  using Structure = ZMUMPS_STRUC_C;
+  static void call(Structure &structure) { zmumps_c(&structure); }
+  static MPI_Datatype type() { return MPI_C_DOUBLE_COMPLEX; }
+};
+
+/// Numbers as MUMPS has them: a complex one is a structure of two.
+template <typename Number>
+auto entries_of(Number *const numbers)
+{
+  using Entry =
+      std::remove_pointer_t<decltype(MumpsInterface<Number>::Structure::a_loc)>;
+  static_assert(sizeof(Entry) == sizeof(Number), "MUMPS has other numbers.");
+  return reinterpret_cast<Entry *>(numbers);
+}
 } // namespace
 
 template <typename Number>
@@ -85,6 +106,7 @@ struct MumpsSolver<Number>::Data
   int n_ranks = 1;
   typename Interface::Structure mumps;
   std::vector<int> owned;
+  std::vector<int> kept_rows, kept_columns; ///< from 1, of a pattern that is kept
 
   // Kept between solves. One rank: the right-hand side and solution in global order.
   std::vector<Number> global_vector;
@@ -232,14 +254,16 @@ FactorEstimate MumpsSolver<Number>::analyse_from_one(const int n,
   d.mumps.nnz_loc = static_cast<MUMPS_INT8>(rows.size());
   d.mumps.irn_loc = rows.data();
   d.mumps.jcn_loc = columns.data();
-  d.mumps.a_loc = values;
+  d.mumps.a_loc = entries_of(values);
   d.icntl(18) = 3; // entries distributed in any way
   d.icntl(28) = 1; // sequential, hence reproducible, analysis
   d.icntl(7) = 5;  // METIS; a MUMPS built without it (Debian's) takes PORD instead
   if (scaling == MumpsScaling::none)
     d.icntl(8) = 0;
   if (counts_pivots)
-    d.icntl(13) = 1;       // no ScaLAPACK, see the header
+    d.icntl(13) = 1; // no ScaLAPACK, see the header
+  if (computes_determinant)
+    d.icntl(33) = 1;
   d.icntl(10) = 0;         // no iterative refinement
   d.icntl(24) = 1;         // find the zero pivots of a singular matrix
   d.mumps.cntl[2] = 1e-13; // what counts as zero, relative to the scaled matrix
@@ -288,7 +312,7 @@ void MumpsSolver<Number>::factorize(const int n,
   d.owned = owned;
   d.mumps.irn_loc = rows.data();
   d.mumps.jcn_loc = columns.data();
-  d.mumps.a_loc = values.data();
+  d.mumps.a_loc = entries_of(values.data());
   if (estimate.memory > large_factor)
     return_freed_memory(); // of the analysis
   d.factorize();
@@ -299,7 +323,7 @@ void MumpsSolver<Number>::factorize(const int n,
   if (d.n_ranks == 1)
   {
     d.global_vector.resize(n);
-    d.mumps.rhs = d.global_vector.data();
+    d.mumps.rhs = entries_of(d.global_vector.data());
     d.mumps.lrhs = n;
     return;
   }
@@ -315,12 +339,61 @@ void MumpsSolver<Number>::factorize(const int n,
   d.solution_indices.resize(d.mumps.lsol_loc);
   d.local_solution.resize(d.mumps.lsol_loc);
   d.mumps.isol_loc = d.solution_indices.data();
-  d.mumps.sol_loc = d.local_solution.data();
+  d.mumps.sol_loc = entries_of(d.local_solution.data());
   // MUMPS says with the first solution how it distributes them.
   std::vector<Number> zero(owned.size(), Number());
-  d.mumps.rhs_loc = zero.data();
+  d.mumps.rhs_loc = entries_of(zero.data());
   d.run(job_solve, "solution");
   d.plan_exchange();
+}
+
+template <typename Number>
+FactorEstimate MumpsSolver<Number>::keep_pattern(const int n,
+                                                 std::vector<int> rows,
+                                                 std::vector<int> columns)
+{
+  for (std::vector<int> *const indices : {&rows, &columns})
+    for (int &index : *indices)
+      ++index;
+  const FactorEstimate estimate = analyse_from_one(n, rows, columns, nullptr);
+  assert(data->n_ranks == 1);
+  data->kept_rows = std::move(rows);
+  data->kept_columns = std::move(columns);
+  if (estimate.memory > large_factor)
+    return_freed_memory(); // of the analysis
+  return estimate;
+}
+
+template <typename Number>
+void MumpsSolver<Number>::factorize_values(std::vector<Number> &values)
+{
+  Data &d = *data;
+  assert(values.size() == d.kept_rows.size());
+  d.mumps.irn_loc = d.kept_rows.data();
+  d.mumps.jcn_loc = d.kept_columns.data();
+  d.mumps.a_loc = entries_of(values.data());
+  d.factorize();
+  d.mumps.a_loc = nullptr;
+}
+
+template <typename Number>
+void MumpsSolver<Number>::solve_columns(std::vector<Number> &columns, const int n_columns)
+{
+  Data &d = *data;
+  assert(columns.size() == static_cast<std::size_t>(d.mumps.n) * n_columns);
+  d.mumps.nrhs = n_columns;
+  d.mumps.lrhs = d.mumps.n;
+  d.mumps.rhs = entries_of(columns.data());
+  d.run(job_solve, "solution");
+}
+
+template <typename Number>
+std::complex<double> MumpsSolver<Number>::log_determinant() const
+{
+  assert(computes_determinant);
+  const auto &mumps = data->mumps;
+  const std::complex<double> mantissa(mumps.rinfog[11], mumps.rinfog[12]);
+  return std::log(mantissa) + mumps.infog[33] * std::log(2.);
 }
 
 template <typename Number>
@@ -338,7 +411,7 @@ void MumpsSolver<Number>::solve(std::vector<Number> &x)
     return;
   }
 
-  d.mumps.rhs_loc = x.data();
+  d.mumps.rhs_loc = entries_of(x.data());
   d.run(job_solve, "solution");
   for (std::size_t k = 0; k < d.send_order.size(); ++k)
     d.send_buffer[k] = d.local_solution[d.send_order[k]];
@@ -369,4 +442,5 @@ double MumpsSolver<Number>::memory() const
 
 template class MumpsSolver<double>;
 template class MumpsSolver<float>;
+template class MumpsSolver<std::complex<double>>;
 } // namespace Continua

@@ -1,6 +1,7 @@
 #include <continua/program/analyses.h>
 
 #include <continua/analysis/analysis_of_case.h>
+#include <continua/analysis/harmonic.h>
 #include <continua/analysis/linear_wave_theory.h>
 #include <continua/analysis/modal.h>
 #include <continua/analysis/steady.h>
@@ -89,6 +90,10 @@ const AnalysisTable &analyses()
            false),
        row_of_case<Modal>("modal", "Frequencies and shapes of a solid body's free vibrations.",
                           {"Modal"}, Motion::vibrating, true, false),
+       row_of_case<Harmonic>("harmonic",
+                             "Motion of a linear body at given frequencies: responses, impedances, "
+                             "mean powers.",
+                             {"Harmonic"}, Motion::harmonic, true, false),
        row_of_theory(),
        row_of_study<Comparison, ComparisonParameters>(
            "comparison",

@@ -215,6 +215,19 @@ std::vector<Source> sources()
        [](Root &root, const General &) { ModalParameters().read(root.subsection("Modal")); },
        "",
        {}},
+      {"Harmonic",
+       "At which frequencies a body is shaken, and by what.",
+       {},
+       [](Root &root, const General &)
+       {
+         HarmonicParameters().read(root.subsection("Harmonic"));
+         for (const char *const name : {"Body force", "<boundary>"})
+           HarmonicParameters::read_phase(name == std::string("<boundary>")
+                                              ? root.subsection("Boundaries").subsection(name)
+                                              : root.subsection(name));
+       },
+       "",
+       {}},
       {"Comparison",
        "By which two ways a case is computed, on which meshes, and what counts as agreement.",
        {"Comparison/Expected/<quantity>=1 +- 1 %"},

@@ -4,6 +4,8 @@
 #include <continua/signal/waveform.h>
 #include <continua/theory/impedance.h>
 
+#include <complex>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,9 @@ struct Outlet
   std::vector<unsigned int> conditions;
   /// Of the modelled part of the section: a quarter of a tube has a quarter of its flow.
   Impedance impedance;
+  /// The same at s [1/s], where no sum of first-order responses has to stand for it: of an absorbing
+  /// end of a tube in the frequency domain. Empty: `impedance` is exact.
+  std::function<dealii::FullMatrix<std::complex<double>>(std::complex<double> s)> exact_impedance;
   Waveform pressure_behind; ///< [Pa], a function of time alone: added at the first port
   Coupling coupling = Coupling::pressure;
   /// x_k of the first port at t = 0 [m^3], by term; empty is zero.
@@ -35,6 +40,12 @@ struct Outlet
   /// Whether it answers to what the flow rates differ by from those at the start of the run. A
   /// search for rest before that has the pressure behind it at the first port, whatever flows.
   bool counts_from_start = false;
+
+  /// Z(s) [Pa s/m^3], as exactly as it is known. Throws RunError where there is none.
+  dealii::FullMatrix<std::complex<double>> impedance_at(const std::complex<double> s) const
+  {
+    return exact_impedance ? exact_impedance(s) : impedance.value(s);
+  }
 };
 } // namespace Continua
 

@@ -16,7 +16,8 @@ enum class Motion
 {
   in_time,  ///< it moves from its initial state until an end time: section Time
   at_rest,  ///< it has come to rest under its loads: section Steady
-  vibrating ///< it vibrates freely: section Modal
+  vibrating, ///< it vibrates freely: section Modal
+  harmonic   ///< it moves with exp(s t) under loads that do: sections of the analysis
 };
 
 /// All that the reader of a case knows of the analysis: a part of the analysis's row in the table
@@ -41,6 +42,7 @@ struct AnalysisTraits
   bool is_transient() const { return motion == Motion::in_time && has_fields; }
   bool is_steady() const { return motion == Motion::at_rest; }
   bool is_modal() const { return motion == Motion::vibrating; }
+  bool is_harmonic() const { return motion == Motion::harmonic; }
 };
 } // namespace Continua
 

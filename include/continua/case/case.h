@@ -8,6 +8,7 @@
 #include <continua/case/absorbing_ends.h>
 #include <continua/case/analysis_traits.h>
 #include <continua/case/discretisation.h>
+#include <continua/case/harmonic_parameters.h>
 #include <continua/case/measured_waves.h>
 #include <continua/case/modal_parameters.h>
 #include <continua/case/periodic_state_parameters.h>
@@ -132,6 +133,7 @@ struct Case
   PowerLaws power_laws;         ///< what the branches of `problem` come from in a run in time
   AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
   ModalParameters modal;
+  HarmonicParameters harmonic; ///< of a harmonic analysis
 };
 } // namespace Continua
 

@@ -2,6 +2,7 @@
 #define continua_continuum_continuum_solver_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/harmonic_system.h>
 #include <continua/continuum/liquid_mass.h>
 #include <continua/continuum/motion_extremes.h>
 #include <continua/continuum/power_balance.h>
@@ -209,6 +210,9 @@ public:
   /// The free vibrations of a body that is all solid and does not relax; null if the discretisation
   /// has none. The solver must outlive it.
   virtual std::unique_ptr<VibrationOperator<dim>> vibration() { return nullptr; }
+  /// The linear body in motion exp(s t); null if the discretisation has none. The solver must
+  /// outlive it.
+  virtual std::unique_ptr<HarmonicSystem<dim>> harmonic_system() { return nullptr; }
   /// Estimate for the last step, from the velocities that were kept with keep_state().
   virtual StepError step_error() = 0;
   /// Keeps the present state in memory for return_to_kept_state() and for step_error(): call before

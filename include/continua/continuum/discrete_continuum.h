@@ -37,6 +37,7 @@ public:
   void solve_steady(const double time) override { stepping.solve_steady(time); }
   bool steady_is_direct() const override { return stepping.steady_is_direct(); }
   std::unique_ptr<VibrationOperator<dim>> vibration() override;
+  std::unique_ptr<HarmonicSystem<dim>> harmonic_system() override;
   StepError step_error() override { return stepping.step_error(); }
   void keep_state() override { stepping.keep_state(); }
   void return_to_kept_state() override { stepping.return_to_kept_state(); }

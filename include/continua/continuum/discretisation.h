@@ -3,6 +3,8 @@
 
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/field_probes.h>
+#include <continua/continuum/harmonic_state.h>
+#include <continua/continuum/harmonic_system.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/vibration_operator.h>
 
@@ -42,6 +44,11 @@ public:
   virtual void report_corrections(const std::function<void(const LoopCorrection &)> & /*sink*/) {}
   /// `state` is changed by VibrationOperator::set_shape().
   virtual std::unique_ptr<VibrationOperator<dim>> vibration(const VibratingState &state) = 0;
+  /// `state` is changed by HarmonicSystem::show().
+  virtual std::unique_ptr<HarmonicSystem<dim>> harmonic_system(const HarmonicState & /*state*/)
+  {
+    return nullptr;
+  }
 };
 } // namespace Continua
 

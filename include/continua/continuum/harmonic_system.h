@@ -127,7 +127,7 @@ public:
                                     const std::vector<HarmonicSolution> &solutions)> &sink) = 0;
   /// Of the matrix of the last factor(), constrained rows and ports included, up to a factor that
   /// is the same for all s.
-  virtual HarmonicDeterminant determinant() const = 0;
+  virtual HarmonicDeterminant determinant() = 0;
   /// The forces [N] and dilatations [m^3] that the system at s leaves of a motion: the left sides of
   /// the equations, with the ports, at free entries, so that they are zero for a free vibration.
   /// `solution.s` plays no part; its ports are taken by their impedance at s.
@@ -142,10 +142,19 @@ public:
   virtual void show(const HarmonicSolution &solution, Complex factor) = 0;
   /// Of a solution at s = i omega under its load.
   virtual HarmonicPowers powers(const HarmonicSolution &solution, const HarmonicLoad &load) = 0;
+  /// Half of force times conjugate velocity of a part of the load [W]: the real part is the mean
+  /// power that this part gives.
+  virtual Complex power_of(const HarmonicLoad &part,
+                           const HarmonicSolution &solution,
+                           const HarmonicLoad &load) = 0;
+  /// Of a boundary condition's faces, out of the body [m^3/s].
+  virtual Complex flow_rate(unsigned int condition, const HarmonicSolution &solution) = 0;
 
   /// Of the last factor, over all ranks [bytes].
   virtual double factor_memory() const = 0;
   virtual std::string solver_name() const = 0;
+  /// Of all solutions so far: what is left of the forces, over the largest force at a node.
+  virtual double largest_residual() const = 0;
 };
 } // namespace Continua
 

@@ -26,6 +26,8 @@ public:
   void build();
   /// Adds the loads at this time to `forces` [N].
   void add(double time, DistributedVector &forces) const;
+  /// Adds the loads of one condition at this time, of -1 the body force [N].
+  void add_of(int condition, double time, DistributedVector &forces) const;
   /// Whether a load jumps between the two times [s]. Collective.
   bool jumps(double begin, double end) const;
 

@@ -27,6 +27,8 @@ struct State
   const std::vector<CavityState> *cavities = nullptr;
   /// Of a mesh that moves, in the solids that of matter [m]; null where the mesh stays.
   const DistributedVector *mesh_displacement = nullptr;
+  /// By region, of a harmonic motion: what stands for eta U + sum_k mu_k D_k; null of steps.
+  const std::vector<DistributedVector> *mixtures = nullptr;
 
   /// By which the body has its present shape [m].
   const DistributedVector &displacement_of_shape() const

@@ -80,6 +80,8 @@ public:
   DistributedVector &present_velocity() { return velocity; }
   DistributedVector &present_displacement() { return history.displacement(); }
   DistributedVector &present_pressure() { return pressure; }
+  /// Of a harmonic motion, see State::mixtures; empty until it sets them.
+  std::vector<DistributedVector> &present_mixtures() { return mixtures; }
 
 private:
   const Problem &problem;
@@ -98,6 +100,7 @@ private:
   // The state: at the present time, and one step before.
   DistributedVector velocity, velocity_older, pressure, pressure_older;
   double present_time = 0.;
+  std::vector<DistributedVector> mixtures; ///< by region, of a harmonic motion alone
   BalancedStep balanced;        ///< by the last step
   DistributedVector prescribed; ///< velocities, constants set once [m/s]
   // The last pressure known at a time of its own, from which that of an incompressible material is
@@ -127,7 +130,8 @@ private:
                  operators.wall_potentials(),
                  operators.unloaded_displacement(),
                  &unknown_pressures.states(),
-                 operators.mesh_displacement()};
+                 operators.mesh_displacement(),
+                 mixtures.empty() ? nullptr : &mixtures};
   }
   /// Of the velocity nodes of this rank: whether a solid has them.
   std::vector<bool> nodes_of_solids() const;

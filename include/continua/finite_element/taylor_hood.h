@@ -355,6 +355,7 @@ public:
     return evaluation.error_norm(state, field, exact, time);
   }
   std::unique_ptr<VibrationOperator<dim>> vibration(const VibratingState &state) override;
+  std::unique_ptr<HarmonicSystem<dim>> harmonic_system(const HarmonicState &state) override;
 
 private:
   const Problem &problem;

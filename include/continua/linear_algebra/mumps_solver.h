@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <complex>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -32,9 +33,10 @@ enum class MumpsSymmetry
 
 /**
  * MUMPS's multifrontal factor on any number of ranks, without iterative refinement: what
- * MumpsFactor, SinglePrecisionFactor and UnsymmetricMumpsFactor share. The numbers in its messages
- * are MUMPS's INFOG(1) and INFOG(2). MPI must be initialised before, and finalised after, the
- * object lives. Number: double or float.
+ * MumpsFactor, SinglePrecisionFactor, UnsymmetricMumpsFactor and ComplexFactor share. The numbers
+ * in its messages are MUMPS's INFOG(1) and INFOG(2). MPI must be initialised before, and finalised
+ * after, the object lives. Number: double, float or std::complex<double>, whose matrices are
+ * symmetric and not Hermitian.
  */
 template <typename Number>
 class MumpsSolver
@@ -46,6 +48,8 @@ public:
   /// Whether n_negative_pivots() will be asked for; set before factorize(). On several ranks the
   /// last block is then MUMPS's own and not ScaLAPACK's, whose pivots MUMPS does not count.
   bool counts_pivots = false;
+  /// Whether log_determinant() will be asked for; set before factorize() or keep_pattern().
+  bool computes_determinant = false;
 
   /// What factorize() would announce for a matrix with such entries. There is no factor then.
   FactorEstimate analyse(int n, std::vector<int> rows, std::vector<int> columns);
@@ -59,8 +63,18 @@ public:
                  std::vector<Number> values,
                  const std::vector<int> &owned,
                  const std::function<void(const FactorEstimate &)> &announce = {});
+  /// On one rank: makes the analysis of matrices that have their entries at the same places, for
+  /// factorize_values(). Entries that occur twice add.
+  FactorEstimate keep_pattern(int n, std::vector<int> rows, std::vector<int> columns);
+  /// The factor of the matrix with these values in the kept pattern, in its order.
+  void factorize_values(std::vector<Number> &values);
   /// Allocates nothing of its own; MUMPS does inside.
   void solve(std::vector<Number> &x);
+  /// On one rank: n_columns right-hand sides in global order, one behind the other, become the
+  /// solutions.
+  void solve_columns(std::vector<Number> &columns, int n_columns);
+  /// The logarithm of the determinant, of the matrix before it was scaled.
+  std::complex<double> log_determinant() const;
   double n_entries() const;
   /// On all ranks, of a symmetric matrix.
   std::size_t n_negative_pivots() const;

@@ -467,6 +467,19 @@ void BoundaryConstraints<dim>::evaluate(const double time, DistributedVector &va
 }
 
 template <int dim>
+void BoundaryConstraints<dim>::evaluate_of(const BoundaryCondition &condition,
+                                           const double time,
+                                           DistributedVector &values) const
+{
+  values = 0.;
+  for (const Constrained &dof : constrained)
+    for (const auto &[number, weight] : dof.sources)
+      if (const Source &source = sources[number];
+          source.part == &condition.normal || source.part == &condition.tangential)
+        values.begin()[dof.index] += weight * source.value(time);
+}
+
+template <int dim>
 bool BoundaryConstraints<dim>::jumps(const double begin, const double end) const
 {
   bool found = false;

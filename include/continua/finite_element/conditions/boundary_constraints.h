@@ -45,6 +45,9 @@ public:
   void prescribed_part(const DistributedVector &velocity, DistributedVector &values) const;
   /// g(t) at the constrained dofs, 0 elsewhere [m/s]. `values` keeps what does not depend on time.
   void evaluate(double time, DistributedVector &values) const;
+  /// The part of one condition in it.
+  void
+  evaluate_of(const BoundaryCondition &condition, double time, DistributedVector &values) const;
 
   /// Whether every prescribed velocity is zero for ever.
   bool is_homogeneous() const { return homogeneous; }

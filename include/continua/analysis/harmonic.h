@@ -1,0 +1,50 @@
+#ifndef continua_analysis_harmonic_h
+#define continua_analysis_harmonic_h
+
+#include <continua/analysis/harmonic_tables.h>
+#include <continua/analysis/run.h>
+#include <continua/continuum/harmonic_system.h>
+#include <continua/postprocess/field_writer.h>
+
+#include <complex>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The linear motion exp(i omega t) of the body under loads that do the same, at one frequency after
+ * the other, with the complex moduli of its materials. response.csv has a row for each frequency
+ * with amplitude and phase of each probe; impedance.csv, transfer.csv and mean-power.csv see
+ * HarmonicTables. fields.pvd lists the real parts under the numbers of the frequencies, and the
+ * imaginary parts half a number behind.
+ */
+template <int dim>
+class Harmonic
+{
+public:
+  using Complex = std::complex<double>;
+
+  explicit Harmonic(Run<dim> &run) : run(run) {}
+  void perform();
+
+  /// Only what is linear, with loads that are amplitudes. Throws InputError.
+  static void check(const Case<dim> &input, ParameterSection root);
+  static void name_quantities(const Case<dim> &input, QuantityNames &names);
+
+private:
+  Run<dim> &run;
+  std::unique_ptr<HarmonicSystem<dim>> system;
+  std::vector<NamedLoad> loads; ///< with their phases
+  HarmonicLoad total;
+  std::unique_ptr<HarmonicTables<dim>> tables;
+  std::unique_ptr<FieldWriter<dim>> writer;
+
+  void take_loads();
+  /// Of one frequency, by its number.
+  void record(std::size_t number, const HarmonicSolution &solution);
+};
+} // namespace Continua
+
+#endif

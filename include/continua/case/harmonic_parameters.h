@@ -1,0 +1,34 @@
+#ifndef continua_case_harmonic_parameters_h
+#define continua_case_harmonic_parameters_h
+
+#include <continua/base/parameter_section.h>
+#include <continua/continuum/problem.h>
+
+#include <string>
+#include <vector>
+
+namespace Continua
+{
+/// The section Harmonic: at which frequencies a body is shaken, and by what.
+struct HarmonicParameters
+{
+  std::vector<double> listed;            ///< [Hz], as written
+  std::vector<double> frequencies;       ///< [Hz], those of the list and of the range, increasing
+  std::vector<double> field_frequencies; ///< [Hz], whose fields are written
+  std::string unit_load; ///< the name of a boundary that alone has a load, of size one; or empty
+  std::vector<double> phases;  ///< of the loads of the boundaries, by condition [rad]
+  double body_force_phase = 0.; ///< [rad]
+
+  /// Throws InputError.
+  void read(ParameterSection section);
+  /// The entries Phase, of boundaries and of the body force. Throws InputError.
+  void read_phases(ParameterSection root, const std::vector<BoundaryCondition> &conditions);
+  /// Declares and reads one of them [rad].
+  static double read_phase(ParameterSection section);
+
+private:
+  void add_range(ParameterSection section);
+};
+} // namespace Continua
+
+#endif

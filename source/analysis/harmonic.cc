@@ -1,0 +1,226 @@
+#include <continua/analysis/harmonic.h>
+
+#include <continua/analysis/free_motions.h>
+#include <continua/analysis/harmonic_checks.h>
+#include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
+#include <continua/linear_algebra/singular_matrix.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+constexpr const char *another_way = "use Analysis = transient";
+
+bool is_given(const BoundaryCondition &condition)
+{
+  return !condition.normal.is_zero() || !condition.tangential.is_zero() ||
+         (condition.free_flow && !condition.free_flow->rate.is_zero()) ||
+         (condition.outlet && !condition.outlet->pressure_behind.is_zero());
+}
+
+bool is_in_time(const BoundaryCondition &condition)
+{
+  return condition.normal.depends_on_time() || condition.tangential.depends_on_time() ||
+         (condition.free_flow && condition.free_flow->rate.depends_on_time()) ||
+         (condition.outlet && condition.outlet->pressure_behind.depends_on_time());
+}
+
+/// At 0 Hz the body is at rest. Throws InputError.
+template <int dim>
+void check_rest(const Case<dim> &input, ParameterSection root)
+{
+  ParameterSection harmonic = root.subsection("Harmonic");
+  const Problem &problem = input.problem;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    const Material &material = problem.materials[region];
+    const std::string name = "the region '" + problem.regions[region] + "' ";
+    if (!material.is_solid())
+      harmonic.refuse("Frequencies",
+                      name + "is a liquid, which has no displacement at rest: 0 Hz has no answer",
+                      "Use Analysis = steady for 0 Hz, or a low frequency");
+    if (material.has_power_law() || material.long_term_shear_modulus() == 0. ||
+        std::isinf(material.long_term_inverse_bulk_modulus()))
+      harmonic.refuse("Frequencies", name + "creeps for ever under a load of 0 Hz",
+                      "Leave 0 out, or use a law with a long-term modulus");
+  }
+  for (const BoundaryCondition &condition : problem.conditions)
+    for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
+      if (part->kind == BoundaryPart::Kind::velocity && !part->is_zero())
+        root.subsection("Boundaries")
+            .subsection(condition.name)
+            .refuse("", "a solid at rest cannot have a prescribed velocity",
+                    "Prescribe zero, or leave 0 out of Harmonic/Frequencies");
+  refuse_free_motions(input, root, ", so that 0 Hz has no answer",
+                      "; or leave 0 out of Harmonic/Frequencies");
+}
+
+template <int dim>
+void check_unit_load(const Case<dim> &input, ParameterSection root)
+{
+  const std::string &name = input.harmonic.unit_load;
+  ParameterSection harmonic = root.subsection("Harmonic");
+  const auto found = std::find_if(input.problem.conditions.begin(), input.problem.conditions.end(),
+                                  [&name](const BoundaryCondition &condition)
+                                  { return condition.name == name; });
+  if (found == input.problem.conditions.end())
+    harmonic.refuse("Unit load at", "there is no boundary condition '" + name + "'",
+                    "Give the name of a subsection of Boundaries");
+  if (found->normal.kind != BoundaryPart::Kind::traction)
+    harmonic.refuse("Unit load at",
+                    "the velocity along the normal is given at '" + name + "', not the pressure",
+                    "Leave the entry out, and give that boundary the velocity or flow rate 1");
+}
+} // namespace
+
+template <int dim>
+void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
+{
+  check_harmonic_body(input, root, another_way);
+  const HarmonicParameters &harmonic = input.harmonic;
+  const InteriorData &interior = input.problem.interior;
+  bool is_loaded = false;
+  for (const std::vector<Waveform> *const force : {&interior.body_force, &interior.acceleration})
+    for (const Waveform &component : *force)
+    {
+      is_loaded = is_loaded || !component.is_zero();
+      if (component.depends_on_time())
+        root.subsection("Body force")
+            .refuse("", "a load of a harmonic analysis is an amplitude, and this one depends on t",
+                    std::string("Give its amplitude, or ") + another_way);
+    }
+  for (const BoundaryCondition &condition : input.problem.conditions)
+  {
+    is_loaded = is_loaded || is_given(condition);
+    if (is_in_time(condition))
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("", "a load of a harmonic analysis is an amplitude, and this one depends on t",
+                  std::string("Give its amplitude, and a Phase if it has one, or ") + another_way);
+  }
+  if (!harmonic.unit_load.empty())
+    check_unit_load(input, root);
+  else if (!is_loaded)
+    root.subsection("Boundaries")
+        .refuse("", "no boundary has a load, and there is no body force, so that nothing moves",
+                "Give an amplitude, such as Pressure = 1 Pa, or set Harmonic/Unit load at");
+  if (harmonic.frequencies.front() == 0.)
+    check_rest(input, root);
+}
+
+template <int dim>
+void Harmonic<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
+{
+  HarmonicTables<dim>::name_quantities(input, names);
+  names.add("largest residual");
+}
+
+template <int dim>
+void Harmonic<dim>::take_loads()
+{
+  const HarmonicParameters &harmonic = run.input.harmonic;
+  const auto turned = [](const HarmonicLoad &load, const double phase)
+  {
+    HarmonicLoad result;
+    result.add(std::polar(1., phase), load);
+    return result;
+  };
+  if (!harmonic.unit_load.empty())
+  {
+    for (unsigned int c = 0; c < run.input.problem.conditions.size(); ++c)
+      if (run.input.problem.conditions[c].name == harmonic.unit_load)
+        loads.push_back({harmonic.unit_load, static_cast<int>(c),
+                         turned(system->unit_load(c), harmonic.phases[c])});
+  }
+  else
+    for (const HarmonicLoadSource &source : system->sources())
+      loads.push_back({source.name, source.condition,
+                       turned(system->load_of(source, 0.), source.condition < 0
+                                                               ? harmonic.body_force_phase
+                                                               : harmonic.phases[source.condition])});
+  for (const NamedLoad &load : loads)
+    total.add(1., load.load);
+}
+
+template <int dim>
+void Harmonic<dim>::record(const std::size_t number, const HarmonicSolution &solution)
+{
+  const HarmonicParameters &harmonic = run.input.harmonic;
+  const double frequency = harmonic.frequencies[number];
+  tables->record(frequency, solution, total);
+  const std::vector<double> &wanted = harmonic.field_frequencies;
+  if (std::find(wanted.begin(), wanted.end(), frequency) == wanted.end())
+    return;
+  // The real part is what the solver shows.
+  writer->write(*run.solver, number + 1.);
+  system->show(solution, {0., -1.});
+  writer->write(*run.solver, number + 1.5);
+}
+
+template <int dim>
+void Harmonic<dim>::perform()
+{
+  run.initialise();
+  Case<dim> &input = run.input;
+  system = run.solver->harmonic_system();
+  if (!system)
+    throw RunError("the discretisation '" + input.general.discretisation +
+                   "' has no frequency domain; set Discretisation = taylor hood");
+  take_loads();
+  tables = std::make_unique<HarmonicTables<dim>>(run, *system, loads);
+  writer = std::make_unique<FieldWriter<dim>>(
+      input.communicator, run.directory.path(),
+      input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
+      input.output.higher_order_cells, input.output.files_per_state);
+  std::vector<Complex> all_s;
+  for (const double frequency : input.harmonic.frequencies)
+    all_s.emplace_back(0., 2. * numbers::PI * frequency);
+  run.log.line("Solver: " + system->solver_name());
+  try
+  {
+    SectionTimer::Scope scope(run.log.timer(), "frequencies");
+    system->solve_at(
+        all_s, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
+        [&](const std::size_t number, const std::vector<HarmonicLoad> &,
+            const std::vector<HarmonicSolution> &solutions)
+        {
+          record(number, solutions[0]);
+          if (number + 1 < all_s.size())
+            SignalWatch::stop_if_asked(input.communicator,
+                                       "after " + std::to_string(number + 1) +
+                                           " frequencies; a harmonic analysis begins anew, with "
+                                           "--overwrite");
+        });
+  }
+  catch (const SingularMatrix &error)
+  {
+    throw RunError(std::string(error.what()) +
+                   " The body can move freely at this frequency: it is that of a mode without "
+                   "damping. Give other frequencies, or a material with damping.");
+  }
+  tables->finish();
+  if (!input.harmonic.field_frequencies.empty())
+    writer->finish(run.summary);
+  std::ostringstream text;
+  text << all_s.size() << (all_s.size() == 1 ? " frequency" : " frequencies") << " of "
+       << system->n_unknowns() << " unknowns";
+  run.log.line(text.str());
+  run.summary.set("frequencies", static_cast<double>(all_s.size()));
+  run.summary.set("memory of the factors [bytes]", system->factor_memory());
+  run.summary.add({"largest residual", system->largest_residual(), "1", ""});
+  run.citations.add("mumps");
+  run.finish(0, 0.);
+}
+
+template class Harmonic<2>;
+template class Harmonic<3>;
+} // namespace Continua

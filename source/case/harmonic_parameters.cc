@@ -1,0 +1,110 @@
+#include <continua/case/harmonic_parameters.h>
+
+#include <continua/base/angle_entry.h>
+#include <continua/base/nearly_equal.h>
+#include <continua/base/six_digits.h>
+#include <continua/base/words.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Continua
+{
+namespace
+{
+enum class FrequencySpacing
+{
+  linear,
+  logarithmic
+};
+} // namespace
+
+void HarmonicParameters::read(ParameterSection section)
+{
+  section.add("Frequencies", listed, Dimensions::frequency,
+              "Frequencies of the motion, in any order. A solid that is held may have 0, its state "
+              "at rest. The summary has amplitude and phase of each probe at these.",
+              Range::not_negative());
+  frequencies = listed;
+  add_range(section);
+  if (frequencies.empty())
+    section.require("Frequencies");
+  std::sort(frequencies.begin(), frequencies.end());
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+  section.add("Field frequencies", field_frequencies, Dimensions::frequency,
+              "Frequencies, of those above, at which the fields are written, as real and imaginary "
+              "part. Empty: none.",
+              Range::not_negative());
+  for (double &frequency : field_frequencies)
+  {
+    const auto found = std::find_if(frequencies.begin(), frequencies.end(),
+                                    [frequency](const double candidate)
+                                    { return nearly_equal(candidate, frequency); });
+    if (found == frequencies.end())
+      section.refuse("Field frequencies",
+                     six_digits(frequency) + " Hz is none of the frequencies of the motion",
+                     "Add it to Frequencies");
+    frequency = *found;
+  }
+  section.add("Unit load at", unit_load,
+              "Name of the one boundary that has a load, of size one: a pressure of 1 Pa on it, 1 "
+              "Pa behind an outlet, 1 m^3/s into the body at a flow rate without a profile. The "
+              "loads of the file are left out then; velocities that it prescribes are zero. Empty: "
+              "the loads of the file, whose entries are amplitudes.");
+}
+
+void HarmonicParameters::add_range(ParameterSection section)
+{
+  double lowest = 0., highest = 0.;
+  unsigned int n = 51;
+  FrequencySpacing spacing = FrequencySpacing::linear;
+  section.add("Lowest frequency", lowest, Dimensions::frequency, "First frequency of a range.",
+              Range::positive());
+  section.add("Highest frequency", highest, Dimensions::frequency,
+              "Last frequency of a range. Without one there are the Frequencies alone.",
+              Range::positive());
+  section.add("Number of frequencies", n, "Of the range, its ends included [1].", 2);
+  add_choice(section, "Spacing", spacing,
+             {{"linear", FrequencySpacing::linear}, {"logarithmic", FrequencySpacing::logarithmic}},
+             "How the frequencies of the range follow each other: linear - at equal distances; "
+             "logarithmic - at equal ratios.");
+  if (!section.given("Highest frequency"))
+  {
+    for (const char *key : {"Lowest frequency", "Number of frequencies", "Spacing"})
+      if (section.given(key))
+        section.refuse(key, "the range has no end", "Give 'Highest frequency', or remove the entry");
+    return;
+  }
+  section.require("Lowest frequency");
+  if (lowest >= highest)
+    section.refuse("Lowest frequency", "it is not below the highest frequency",
+                   "Give a lower one");
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const double part = static_cast<double>(k) / (n - 1);
+    frequencies.push_back(k == 0       ? lowest
+                          : k == n - 1 ? highest
+                          : spacing == FrequencySpacing::linear
+                              ? lowest + part * (highest - lowest)
+                              : lowest * std::pow(highest / lowest, part));
+  }
+}
+
+double HarmonicParameters::read_phase(ParameterSection section)
+{
+  double phase = 0.;
+  add_angle(section, "Phase", phase,
+            "With Analysis = harmonic, by which angle the load is ahead: it is the real part of "
+            "its amplitude times exp(i (2 pi f t + phase)).");
+  return phase;
+}
+
+void HarmonicParameters::read_phases(ParameterSection root,
+                                     const std::vector<BoundaryCondition> &conditions)
+{
+  for (const BoundaryCondition &condition : conditions)
+    phases.push_back(read_phase(root.subsection("Boundaries").subsection(condition.name)));
+  body_force_phase = read_phase(root.subsection("Body force"));
+}
+} // namespace Continua
