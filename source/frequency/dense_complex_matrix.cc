@@ -143,11 +143,9 @@ std::vector<Complex> least_squares_solution(DenseComplexMatrix matrix, std::vect
   expect_finite(matrix);
   const int m = static_cast<int>(matrix.n_rows()), n = static_cast<int>(matrix.n_columns());
   const int one = 1;
-  call_with_work("least squares",
-                 [&](Complex *const work, const int *const length, int *const status) {
-                   zgels_("N", &m, &n, &one, matrix.data(), &m, right.data(), &m, work, length,
-                          status);
-                 });
+  call_with_work(
+      "least squares", [&](Complex *const work, const int *const length, int *const status)
+      { zgels_("N", &m, &n, &one, matrix.data(), &m, right.data(), &m, work, length, status); });
   right.resize(n);
   return right;
 }

@@ -48,9 +48,9 @@ FrequencyRefinement::FrequencyRefinement(const double lowest,
         for (const std::vector<Complex> &row : samples)
           scale = std::max(scale, std::abs(row[r]));
         if (scale > 0.)
-          largest = std::max(
-              largest,
-              std::abs(checked.value(r, laplace_point(frequency)) - samples[k][r]) / scale);
+          largest = std::max(largest,
+                             std::abs(checked.value(r, laplace_point(frequency)) - samples[k][r]) /
+                                 scale);
       }
     }
     last_difference = std::max(largest, before);
@@ -66,8 +66,7 @@ std::complex<double> FrequencyRefinement::laplace_point(const double frequency) 
   return 2. * M_PI * frequency * Complex(tilt, 1.);
 }
 
-double
-FrequencyRefinement::between(const double from, const double to, const double part) const
+double FrequencyRefinement::between(const double from, const double to, const double part) const
 {
   if (part == 0. || part == 1.)
     return part == 0. ? from : to;
@@ -117,8 +116,8 @@ void FrequencyRefinement::approximate(const double tolerance)
   }
 }
 
-double
-FrequencyRefinement::difference(const RationalApproximation &other, const double frequency) const
+double FrequencyRefinement::difference(const RationalApproximation &other,
+                                       const double frequency) const
 {
   double largest = 0.;
   for (std::size_t r = 0; r < present->n_responses(); ++r)

@@ -21,9 +21,11 @@ PeriodicSeries::PeriodicSeries(const double period,
       throw std::invalid_argument("harmonics have amplitudes of the same quantities");
     if (n < options.least_harmonics)
       continue;
-    measure(options.n_times);
-    converged = std::all_of(last_changes.begin(), last_changes.end(),
-                            [&](const double change) { return change <= options.tolerance; });
+    measure(options);
+    converged = true;
+    for (std::size_t q = 0; q < last_changes.size(); ++q)
+      if (options.is_compared.empty() || options.is_compared.at(q))
+        converged = converged && last_changes[q] <= options.tolerance;
   }
 }
 
@@ -43,16 +45,30 @@ double PeriodicSeries::value(const std::size_t quantity, const double time) cons
   return part(quantity, time, 0, amplitudes.size());
 }
 
-void PeriodicSeries::measure(const std::size_t n_times)
+double PeriodicSeries::left_out(const std::size_t quantity, const std::vector<double> &load) const
+{
+  const std::size_t end = amplitudes.size(), first = end - std::max(1u, n_harmonics() / 3);
+  double response = 0., of_load = 0., left = 0.;
+  for (std::size_t n = first; n < std::min(end, load.size()); ++n)
+  {
+    response += std::abs(amplitudes[n][quantity]);
+    of_load += load[n];
+  }
+  for (std::size_t n = end; n < load.size(); ++n)
+    left += load[n];
+  return of_load > 0. ? left * response / of_load : 0.;
+}
+
+void PeriodicSeries::measure(const PeriodicSeriesOptions &options)
 {
   const unsigned int end = amplitudes.size(), begin_of_last = end - std::max(1u, n_harmonics() / 3);
   last_changes.assign(amplitudes.front().size(), 0.);
   for (std::size_t q = 0; q < last_changes.size(); ++q)
   {
-    double least = value(q, 0.), most = least, change = 0.;
-    for (std::size_t j = 0; j < n_times; ++j)
+    double least = value(q, 0.), most = least, change = left_out(q, options.load);
+    for (std::size_t j = 0; j < options.n_times; ++j)
     {
-      const double time = length * j / n_times;
+      const double time = length * j / options.n_times;
       const double now = value(q, time);
       least = std::min(least, now);
       most = std::max(most, now);

@@ -223,8 +223,7 @@ void RationalApproximation::remove_doublets(const double doublet)
       distance = std::min(distance, std::abs(pole - sample));
     bool is_doublet = true;
     for (std::size_t r = 0; r < values.size(); ++r)
-      is_doublet =
-          is_doublet && std::abs(scaled_residue(r, pole)) < doublet * means[r] * distance;
+      is_doublet = is_doublet && std::abs(scaled_residue(r, pole)) < doublet * means[r] * distance;
     if (!is_doublet)
       continue;
     // One support point less for each doublet: of a pair the other one may be needed.

@@ -203,7 +203,8 @@ Complex forward_sign(const Complex g)
 
 /// Starts from stations at equal distances: the recurrence over `lag` stations, whose coefficients
 /// c_i of T_i(cosh(g d)) are found by least squares.
-ComplexRow start_by_recurrence(const WaveLine &line, const unsigned int n_waves, const std::size_t lag)
+ComplexRow
+start_by_recurrence(const WaveLine &line, const unsigned int n_waves, const std::size_t lag)
 {
   const std::size_t n = line.places.size(), reach = n_waves * lag, n_rows = n - 2 * reach;
   DenseComplexMatrix matrix(n_rows * line.fields.size(), n_waves);
@@ -405,9 +406,14 @@ TravellingWaves fit_travelling_waves(const std::vector<double> &positions,
   {
     const Complex g = forward_sign(fit.propagations[k]) / length;
     const double speed = angular_frequency / g.imag();
-    result.waves.push_back({g, speed, g.real(),
-                            std::abs(speed) * fit.deviations[2 * k + 1] / (length * std::abs(g.imag())),
-                            fit.deviations[2 * k] / length, {}, {}});
+    result.waves.push_back(
+        {g,
+         speed,
+         g.real(),
+         std::abs(speed) * fit.deviations[2 * k + 1] / (length * std::abs(g.imag())),
+         fit.deviations[2 * k] / length,
+         {},
+         {}});
   }
   ComplexRow propagations;
   for (const TravellingWave &wave : result.waves)

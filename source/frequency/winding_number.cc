@@ -44,8 +44,8 @@ struct ContourWalk
         return false;
       const double next = std::min(1., place + step), length = next - place;
       const double now = phase(side(next));
-      // Slopes are those in the middle of a step. Of the phases that differ by whole turns that next
-      // to the predicted one.
+      // Slopes are those in the middle of a step. Of the phases that differ by whole turns that
+      // next to the predicted one.
       const double predicted = (slope + 0.5 * bend * (last_length + length)) * length;
       const double off = std::remainder(now - before - predicted, 2. * M_PI);
       if (!(std::abs(off) < accepted_difference))
@@ -79,7 +79,8 @@ WindingNumber winding_number(const std::function<Complex(Complex)> &logarithm,
 {
   const double ratio = sector.outer / sector.inner, angle = sector.last_angle - sector.first_angle;
   const Side sides[4] = {
-      [&](const double x) { return std::polar(sector.inner * std::pow(ratio, x), sector.first_angle); },
+      [&](const double x)
+      { return std::polar(sector.inner * std::pow(ratio, x), sector.first_angle); },
       [&](const double x) { return std::polar(sector.outer, sector.first_angle + x * angle); },
       [&](const double x)
       { return std::polar(sector.outer * std::pow(ratio, -x), sector.last_angle); },

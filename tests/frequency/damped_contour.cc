@@ -77,10 +77,13 @@ UNIT_TEST(damped_contour)
   const DampedContour contour(2., 512);
   check::relative("damping", contour.damping(), std::log(1e8) / (2. * 2.), 1e-14);
   check::absolute("last time", contour.times().back(), 2. - 2. / 512., 1e-14);
-  check::absolute("a point", std::abs(contour.points()[3] - Complex(contour.damping(), 3. * M_PI)), 0.,
-                  1e-12);
+  check::absolute("a point", std::abs(contour.points()[3] - Complex(contour.damping(), 3. * M_PI)),
+                  0., 1e-12);
   const double largest = load(0.5 * (degree + 1) * knot);
-  check::absolute("nothing but the load", error_of(contour, [](Complex) { return 1.; }, load) / largest,
+  check::absolute("nothing but the load",
+                  error_of(
+                      contour, [](Complex) { return 1.; }, load) /
+                      largest,
                   0., 1e-11);
 
   // Relaxation: at real frequencies its tail comes back, here by e^(-a T) of it.
@@ -91,8 +94,8 @@ UNIT_TEST(damped_contour)
   check::absolute("relaxation", of_relaxation, 0., 1e-5);
   check::absolute("over that at real frequencies", of_relaxation / at_real_frequencies, 5e-5, 5e-5);
   check::absolute("twice the duration, the same damping",
-                  error_of(DampedContour(4., 1024, 1e8), relaxation, of_power_law(-0.4)) / largest, 0.,
-                  1e-8);
+                  error_of(DampedContour(4., 1024, 1e8), relaxation, of_power_law(-0.4)) / largest,
+                  0., 1e-8);
 
   // Creep goes on for ever, and has no response at real frequencies (infinite at zero).
   const auto creep = [](const Complex s) { return std::pow(s, -0.4); };
@@ -124,8 +127,8 @@ UNIT_TEST(damped_contour)
                     return std::tgamma(degree + 1.L) * omega * (factor * sum).imag();
                   });
   };
-  check::absolute("oscillator", error_of(DampedContour(2., 512, 1e6), oscillator, vibration) / largest,
-                  0., 1e-6);
+  check::absolute("oscillator",
+                  error_of(DampedContour(2., 512, 1e6), oscillator, vibration) / largest, 0., 1e-6);
   const double coarse = error_of(DampedContour(2., 64, 1e6), oscillator, vibration),
                fine = error_of(DampedContour(2., 128, 1e6), oscillator, vibration);
   check::is_true("more samples", fine < coarse / 50.);

@@ -29,8 +29,9 @@ double error_of(const FrequencyRefinement &refinement,
     const double frequency = lowest + (highest - lowest) * i / 2000.;
     const Complex exact = response(frequency);
     scale = std::max(scale, std::abs(exact));
-    largest = std::max(largest,
-                       std::abs(refinement.approximation().value(0, {0., 2. * M_PI * frequency}) - exact));
+    largest = std::max(
+        largest,
+        std::abs(refinement.approximation().value(0, {0., 2. * M_PI * frequency}) - exact));
   }
   return largest / scale;
 }
@@ -62,8 +63,8 @@ void compare(const std::string &name,
                   error_of(refinement, response, lowest, highest), 0., 1e-4);
   check::is_true(name + ": few frequencies", refinement.frequencies().size() <= most);
   check::is_true(name + ": each is computed once", n_computed == refinement.frequencies().size());
-  check::is_true(name + ": they increase", std::is_sorted(refinement.frequencies().begin(),
-                                                          refinement.frequencies().end()));
+  check::is_true(name + ": they increase",
+                 std::is_sorted(refinement.frequencies().begin(), refinement.frequencies().end()));
 }
 } // namespace
 
@@ -82,9 +83,8 @@ UNIT_TEST(frequency_refinement)
       1., 100., false, 40);
   // Input impedance of a closed line with losses: a pole and a zero every 10 Hz.
   compare(
-      "line",
-      [](const double f) { return 1. / std::tanh(Complex(0.1, 2. * M_PI * f / 20.)); }, 2., 95., false,
-      50);
+      "line", [](const double f) { return 1. / std::tanh(Complex(0.1, 2. * M_PI * f / 20.)); }, 2.,
+      95., false, 50);
   compare(
       "power law on a logarithmic scale",
       [](const double f)
@@ -126,8 +126,8 @@ UNIT_TEST(frequency_refinement)
   const FrequencyRefinement hopeless(1., 2., false, noise, few);
   check::is_true("noise does not converge",
                  !hopeless.has_converged() && hopeless.difference_at_checks() > 1e-3);
-  check::is_true("the most frequencies", hopeless.frequencies().size() >= 30 &&
-                                             hopeless.frequencies().size() <= 32);
+  check::is_true("the most frequencies",
+                 hopeless.frequencies().size() >= 30 && hopeless.frequencies().size() <= 32);
   check::throws<std::invalid_argument>(
       "band", [&] { FrequencyRefinement(2., 1., false, noise); }, "band");
   check::throws<std::invalid_argument>(

@@ -85,7 +85,8 @@ double distance(const std::vector<Complex> &found, const Complex pole)
 UNIT_TEST(rational_approximation)
 {
   const std::vector<Complex> points = axis(40);
-  const RationalApproximation three(points, {of(points, first_response), of(points, second_response)});
+  const RationalApproximation three(points,
+                                    {of(points, first_response), of(points, second_response)});
   check::is_true("has converged", three.has_converged() && three.error() < 1e-10);
   check::is_true("six poles", three.poles().size() == 6);
   for (const Complex &pole : poles)
@@ -107,8 +108,8 @@ UNIT_TEST(rational_approximation)
   check::absolute("value", std::abs(three.value(0, between) - first_response(between)), 0., 1e-8);
   check::absolute("value in another unit",
                   std::abs(three.value(1, between) - second_response(between)) / 1e9, 0., 1e-9);
-  check::absolute("value at a sample", std::abs(three.value(0, points[3]) - first_response(points[3])),
-                  0., 1e-9);
+  check::absolute("value at a sample",
+                  std::abs(three.value(0, points[3]) - first_response(points[3])), 0., 1e-9);
 
   // A tolerance below round-off: the poles of the noise are doublets.
   RationalOptions noise;
@@ -120,7 +121,8 @@ UNIT_TEST(rational_approximation)
   noise.doublet = 1e-12;
   const RationalApproximation cleaned(points, {of(points, first_response)}, noise);
   check::is_true("doublets are removed", cleaned.poles().size() == 6);
-  check::is_true("and the tolerance is not met", !cleaned.has_converged() && cleaned.error() < 1e-11);
+  check::is_true("and the tolerance is not met",
+                 !cleaned.has_converged() && cleaned.error() < 1e-11);
 
   RationalOptions complex_system;
   complex_system.is_real = false;
@@ -144,12 +146,22 @@ UNIT_TEST(rational_approximation)
 
   check::relative("damping ratio", damping_ratio({-3., 4.}), 0.6, 1e-15);
   check::throws<std::invalid_argument>(
-      "equal points", [] { RationalApproximation({{0., 1.}, {0., 1.}}, {{1., 2.}}); }, "equal");
+      "equal points",
+      [] {
+        RationalApproximation({{0., 1.}, {0., 1.}}, {{1., 2.}});
+      },
+      "equal");
   check::throws<std::invalid_argument>(
-      "a point without a value", [] { RationalApproximation({{0., 1.}, {0., 2.}}, {{1.}}); },
+      "a point without a value",
+      [] {
+        RationalApproximation({{0., 1.}, {0., 2.}}, {{1.}});
+      },
       "each point");
   check::throws<std::invalid_argument>(
-      "no number", [] { RationalApproximation({{0., 1.}, {0., 2.}}, {{1., std::nan("")}}); },
+      "no number",
+      [] {
+        RationalApproximation({{0., 1.}, {0., 2.}}, {{1., std::nan("")}});
+      },
       "each point");
 }
 } // namespace test_of_rational_approximation

@@ -57,8 +57,9 @@ UNIT_TEST(travelling_waves)
   check::absolute("attenuation", one.waves[0].attenuation, 0.8, 1e-9);
   check::absolute("forward", std::abs(one.waves[0].forward[0] - slow.forward), 0., 1e-7);
   // At the last station, 0.1 m behind the first.
-  check::absolute("backward", std::abs(one.waves[0].backward[0] - slow.backward * std::exp(0.1 * slow.g)),
-                  0., 1e-7);
+  check::absolute("backward",
+                  std::abs(one.waves[0].backward[0] - slow.backward * std::exp(0.1 * slow.g)), 0.,
+                  1e-7);
   check::is_true("no deviation of as many numbers as unknowns",
                  std::isnan(one.waves[0].speed_deviation));
 
@@ -68,13 +69,15 @@ UNIT_TEST(travelling_waves)
 
   // A pressure and a displacement, whose amplitudes differ and whose waves are the same.
   const std::vector<double> nine = equidistant(9, 0.05);
-  const Known other_slow{slow.g, {2e-6, 0.}, {0., 1e-6}}, other_fast{fast.g, {4e-6, 1e-6}, {3e-6, 0.}};
+  const Known other_slow{slow.g, {2e-6, 0.}, {0., 1e-6}},
+      other_fast{fast.g, {4e-6, 1e-6}, {3e-6, 0.}};
   TravellingWavesOptions two;
   two.n_waves = 2;
   const TravellingWaves both = fit_travelling_waves(
       nine, {at(nine, {slow, fast}), at(nine, {other_fast, other_slow})}, omega, two);
   check::is_true("two waves", both.waves.size() == 2 && both.misfit < 1e-10);
-  check::absolute("the slow one comes first", std::abs(both.waves[0].propagation - slow.g), 0., 1e-7);
+  check::absolute("the slow one comes first", std::abs(both.waves[0].propagation - slow.g), 0.,
+                  1e-7);
   check::absolute("the fast one", std::abs(both.waves[1].propagation - fast.g), 0., 1e-7);
   check::absolute("its forward displacement",
                   std::abs(both.waves[1].forward[1] - other_fast.forward) / 1e-6, 0., 1e-6);
@@ -103,7 +106,8 @@ UNIT_TEST(travelling_waves)
   TravellingWavesOptions started;
   started.start = {{0., 11.}};
   const TravellingWaves meant = fit_travelling_waves(far, {at(far, {slow})}, omega, started);
-  check::absolute("the longest wave", alias.waves[0].propagation.imag(), 2. * M_PI / 0.4 - 12., 1e-6);
+  check::absolute("the longest wave", alias.waves[0].propagation.imag(), 2. * M_PI / 0.4 - 12.,
+                  1e-6);
   check::absolute("with a start", std::abs(meant.waves[0].propagation - slow.g), 0., 1e-8);
 
   const auto refusal = [&](const std::vector<double> &positions, const std::vector<Known> &waves,
@@ -111,7 +115,8 @@ UNIT_TEST(travelling_waves)
   {
     TravellingWavesOptions options;
     options.n_waves = n_waves;
-    const TravellingWaves fit = fit_travelling_waves(positions, {at(positions, waves)}, omega, options);
+    const TravellingWaves fit =
+        fit_travelling_waves(positions, {at(positions, waves)}, omega, options);
     return fit.waves.empty() ? fit.refusal : "nothing";
   };
   check::equal("two stations", refusal({0., 0.1}, {slow}),
@@ -121,16 +126,28 @@ UNIT_TEST(travelling_waves)
   check::equal("five values for six unknowns", refusal(equidistant(5, 0.05), {slow, fast}, 2),
                "there are fewer values than unknown numbers of the waves");
   const Known undamped{{0., 10. * M_PI}, {1., 0.}, {0.5, 0.2}};
-  check::is_true("half a wave",
-                 check::matches(refusal(equidistant(4, 0.1), {undamped}), "multiples of half a wave"));
+  check::is_true("half a wave", check::matches(refusal(equidistant(4, 0.1), {undamped}),
+                                               "multiples of half a wave"));
   check::is_true("too near", check::matches(refusal(equidistant(3, 1e-5), {slow}), "too near"));
   check::equal("nothing there", refusal(three, {}),
                "there are fewer values than unknown numbers of the waves");
   check::throws<std::invalid_argument>(
-      "positions", [&] { fit_travelling_waves({0., 0., 1.}, {{1., 1., 1.}}, 1.); }, "increase");
+      "positions",
+      [&] {
+        fit_travelling_waves({0., 0., 1.}, {{1., 1., 1.}}, 1.);
+      },
+      "increase");
   check::throws<std::invalid_argument>(
-      "frequency", [&] { fit_travelling_waves(three, {{1., 1., 1.}}, 0.); }, "frequency");
+      "frequency",
+      [&] {
+        fit_travelling_waves(three, {{1., 1., 1.}}, 0.);
+      },
+      "frequency");
   check::throws<std::invalid_argument>(
-      "a field", [&] { fit_travelling_waves(three, {{1., 1.}}, 1.); }, "each station");
+      "a field",
+      [&] {
+        fit_travelling_waves(three, {{1., 1.}}, 1.);
+      },
+      "each station");
 }
 } // namespace test_of_travelling_waves

@@ -33,7 +33,9 @@ std::function<Complex(Complex)> logarithm(const std::vector<Complex> &zeros,
   };
 }
 
-void count(const std::string &name, const std::function<Complex(Complex)> &function, const int number)
+void count(const std::string &name,
+           const std::function<Complex(Complex)> &function,
+           const int number)
 {
   const WindingNumber result = winding_number(function, sector);
   check::is_true(name, result.is_known && result.number == number && result.n_evaluations < 300);

@@ -30,9 +30,8 @@ struct ProbeResponse
 /// Real and imaginary part of all columns of the probes in a solution, which the solver then shows.
 /// Collective.
 template <int dim>
-std::vector<std::complex<double>> probe_values(HarmonicSystem<dim> &system,
-                                               Probes<dim> &probes,
-                                               const HarmonicSolution &solution);
+std::vector<std::complex<double>>
+probe_values(HarmonicSystem<dim> &system, Probes<dim> &probes, const HarmonicSolution &solution);
 
 /**
  * The tables of a harmonic analysis, a row for each frequency:
@@ -56,6 +55,8 @@ public:
   void record(double frequency, const HarmonicSolution &solution, const HarmonicLoad &total);
   /// Adds the quantities.
   void finish();
+  /// Of all frequencies so far.
+  const std::vector<ProbeResponse> &recorded() const { return responses; }
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
@@ -81,9 +82,8 @@ private:
   double largest_imbalance = 0.; ///< of the mean powers [1]
 
   void open();
-  void record_impedances(double frequency,
-                         const HarmonicSolution &solution,
-                         const HarmonicLoad &total);
+  void
+  record_impedances(double frequency, const HarmonicSolution &solution, const HarmonicLoad &total);
   void record_powers(double frequency, const HarmonicSolution &solution, const HarmonicLoad &total);
 };
 } // namespace Continua

@@ -15,6 +15,10 @@ struct PeriodicSeriesOptions
   double tolerance = 1e-3;
   unsigned int least_harmonics = 6;
   unsigned int most_harmonics = 200;
+  /// By quantity, whether it counts; empty: all count.
+  std::vector<bool> is_compared = {};
+  /// By harmonic, the size of the load [any unit], as far as it is known; empty: not known.
+  std::vector<double> load = {};
   /// Of the times over a period at which changes and ranges are taken.
   std::size_t n_times = 512;
 };
@@ -26,8 +30,11 @@ struct PeriodicSeriesOptions
  *
  * with as many as the quantities need. The harmonics are asked for one after the other. They
  * suffice when the last third of them has changed no quantity by more than the tolerance times its
- * range. The energy of the load does not measure this: a derivative of a quantity needs more
- * harmonics than the quantity, so what is to be known must be among the quantities.
+ * range. Where the size of the load is known, what is left of it must be as little: the harmonics
+ * that are left out have at most the sum of their loads, times what the last third of the harmonics
+ * is for its load. A table whose rows are joined by straight lines has harmonics far behind a gap.
+ * The energy of the load does not measure this: a derivative of a quantity needs more harmonics
+ * than the quantity, so what is to be known must be among the quantities.
  */
 class PeriodicSeries
 {
@@ -38,14 +45,16 @@ public:
 
   /// `period`: T [s]. Throws std::invalid_argument for options or a period that are not positive,
   /// or harmonics with different numbers of quantities.
-  PeriodicSeries(double period, const Harmonic &harmonic, const PeriodicSeriesOptions &options = {});
+  PeriodicSeries(double period,
+                 const Harmonic &harmonic,
+                 const PeriodicSeriesOptions &options = {});
 
   double period() const { return length; }
   /// Beside the mean.
   unsigned int n_harmonics() const { return static_cast<unsigned int>(amplitudes.size()) - 1; }
   bool has_converged() const { return converged; }
-  /// Of each quantity: its change by the last third of the harmonics, over its range [1]; 0 for a
-  /// quantity that does not vary.
+  /// Of each quantity: its change by the last third of the harmonics, or what the load has left if
+  /// that is more, over its range [1]; 0 for a quantity that does not vary.
   const std::vector<double> &changes() const { return last_changes; }
   Complex amplitude(const std::size_t quantity, const unsigned int n) const
   {
@@ -56,7 +65,8 @@ public:
 
 private:
   double part(std::size_t quantity, double time, unsigned int first, unsigned int end) const;
-  void measure(std::size_t n_times);
+  void measure(const PeriodicSeriesOptions &options);
+  double left_out(std::size_t quantity, const std::vector<double> &load) const;
 
   double length;
   std::vector<std::vector<Complex>> amplitudes; ///< by harmonic, by quantity

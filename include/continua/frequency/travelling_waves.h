@@ -59,11 +59,10 @@ struct TravellingWavesOptions
  * a wave are a `refusal`. Throws std::invalid_argument for positions that do not increase, fields
  * of another length, a frequency that is not positive, and a start of another number of waves.
  */
-TravellingWaves
-fit_travelling_waves(const std::vector<double> &positions,
-                     const std::vector<std::vector<std::complex<double>>> &fields,
-                     double angular_frequency,
-                     const TravellingWavesOptions &options = {});
+TravellingWaves fit_travelling_waves(const std::vector<double> &positions,
+                                     const std::vector<std::vector<std::complex<double>>> &fields,
+                                     double angular_frequency,
+                                     const TravellingWavesOptions &options = {});
 } // namespace Continua
 
 #endif
