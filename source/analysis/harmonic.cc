@@ -2,14 +2,18 @@
 
 #include <continua/analysis/free_motions.h>
 #include <continua/analysis/harmonic_checks.h>
+#include <continua/analysis/wave_number_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
+#include <continua/base/table_writer.h>
+#include <continua/continuum/field_list.h>
 #include <continua/linear_algebra/singular_matrix.h>
 
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace Continua
@@ -115,13 +119,21 @@ void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
                 "Give an amplitude, such as Pressure = 1 Pa, or set Harmonic/Unit load at");
   if (harmonic.frequencies.front() == 0.)
     check_rest(input, root);
+  if (harmonic.response_tolerance > 0. &&
+      input.probes.expected_columns(field_names<dim>(input.problem)).empty())
+    root.subsection("Harmonic")
+        .refuse("Response tolerance", "there is no probe whose response would be known",
+                "Add a probe, or remove the entry");
 }
 
 template <int dim>
 void Harmonic<dim>::name_quantities(const Case<dim> &input, QuantityNames &names)
 {
   HarmonicTables<dim>::name_quantities(input, names);
+  WaveNumberTable<dim>::name_quantities(input, names);
   names.add("largest residual");
+  if (input.harmonic.response_tolerance > 0.)
+    names.add("difference at new frequencies");
 }
 
 template <int dim>
@@ -167,6 +179,113 @@ void Harmonic<dim>::record(const std::size_t number, const HarmonicSolution &sol
 }
 
 template <int dim>
+void Harmonic<dim>::solve_range()
+{
+  const Case<dim> &input = run.input;
+  std::vector<Complex> all_s;
+  for (const double frequency : input.harmonic.frequencies)
+    all_s.emplace_back(0., 2. * numbers::PI * frequency);
+  system->solve_at(
+      all_s, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
+      [&](const std::size_t number, const std::vector<HarmonicLoad> &,
+          const std::vector<HarmonicSolution> &solutions)
+      {
+        record(number, solutions[0]);
+        if (number + 1 < all_s.size())
+          SignalWatch::stop_if_asked(input.communicator,
+                                     "after " + std::to_string(number + 1) +
+                                         " frequencies; a harmonic analysis begins anew, with "
+                                         "--overwrite");
+      });
+}
+
+template <int dim>
+void Harmonic<dim>::solve_refined_range()
+{
+  HarmonicParameters &harmonic = run.input.harmonic;
+  std::map<double, HarmonicSolution> known;
+  const auto solve = [&](const std::vector<double> &frequencies)
+  {
+    std::vector<Complex> points;
+    for (const double frequency : frequencies)
+      points.emplace_back(0., 2. * numbers::PI * frequency);
+    std::vector<std::vector<Complex>> values;
+    system->solve_at(
+        points, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
+        [&](const std::size_t number, const std::vector<HarmonicLoad> &,
+            const std::vector<HarmonicSolution> &solutions)
+        {
+          known[frequencies[number]] = solutions[0];
+          values.push_back(probe_values(*system, run.input.probes, solutions[0]));
+        });
+    SignalWatch::stop_if_asked(run.input.communicator,
+                               "after " + std::to_string(known.size()) +
+                                   " frequencies; a harmonic analysis begins anew, with "
+                                   "--overwrite");
+    return values;
+  };
+  FrequencyRefinementOptions options;
+  options.tolerance = harmonic.response_tolerance;
+  options.most_frequencies = harmonic.most_frequencies;
+  const FrequencyRefinement refinement(harmonic.lowest, harmonic.highest, harmonic.is_logarithmic,
+                                       solve, options);
+  std::ostringstream text;
+  text << refinement.frequencies().size() << " frequencies from " << harmonic.lowest << " to "
+       << harmonic.highest << " Hz: new ones differ from a rational approximation by "
+       << refinement.difference_at_checks() << " of the largest response";
+  run.log.detail(text.str());
+  run.summary.add({"difference at new frequencies", refinement.difference_at_checks(), "1", ""});
+  if (!refinement.has_converged())
+    run.log.warning("the responses are not known within Harmonic/Response tolerance between the "
+                    "frequencies: give a larger Number of frequencies, or a narrower range");
+  std::vector<double> listed;
+  for (const double frequency : harmonic.frequencies)
+    if (known.count(frequency) == 0)
+      listed.push_back(frequency);
+  solve(listed);
+  harmonic.frequencies.clear();
+  for (const auto &[frequency, solution] : known)
+  {
+    harmonic.frequencies.push_back(frequency);
+    system->show(solution, 1.);
+    record(harmonic.frequencies.size() - 1, solution);
+  }
+  write_interpolated(refinement);
+}
+
+template <int dim>
+void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) const
+{
+  const HarmonicParameters &harmonic = run.input.harmonic;
+  if (!run.is_writer || run.input.probes.n_columns() == 0)
+    return;
+  std::vector<std::string> header = {"frequency [Hz]"};
+  for (const std::string &name : run.input.probes.column_names())
+    for (const char *const part : {"real ", "imaginary "})
+      header.push_back(part + name);
+  TableWriter table(run.directory.file("interpolated-response.csv"), header);
+  constexpr unsigned int n_rows = 401;
+  for (unsigned int i = 0; i < n_rows; ++i)
+  {
+    const double part = i / (n_rows - 1.);
+    const double frequency =
+        harmonic.is_logarithmic
+            ? harmonic.lowest * std::pow(harmonic.highest / harmonic.lowest, part)
+            : harmonic.lowest + part * (harmonic.highest - harmonic.lowest);
+    std::vector<double> row = {frequency};
+    for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
+    {
+      const Complex value =
+          refinement.approximation().value(column, {0., 2. * numbers::PI * frequency});
+      row.push_back(value.real());
+      row.push_back(value.imag());
+    }
+    table.row(row);
+  }
+  table.flush();
+}
+
+template <int dim>
 void Harmonic<dim>::perform()
 {
   run.initialise();
@@ -181,25 +300,14 @@ void Harmonic<dim>::perform()
       input.communicator, run.directory.path(),
       input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
       input.output.higher_order_cells, input.output.files_per_state);
-  std::vector<Complex> all_s;
-  for (const double frequency : input.harmonic.frequencies)
-    all_s.emplace_back(0., 2. * numbers::PI * frequency);
   run.log.detail("Solver: " + system->solver_name());
   try
   {
     SectionTimer::Scope scope(run.log.timer(), "frequencies");
-    system->solve_at(
-        all_s, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
-        [&](const std::size_t number, const std::vector<HarmonicLoad> &,
-            const std::vector<HarmonicSolution> &solutions)
-        {
-          record(number, solutions[0]);
-          if (number + 1 < all_s.size())
-            SignalWatch::stop_if_asked(input.communicator,
-                                       "after " + std::to_string(number + 1) +
-                                           " frequencies; a harmonic analysis begins anew, with "
-                                           "--overwrite");
-        });
+    if (input.harmonic.response_tolerance > 0.)
+      solve_refined_range();
+    else
+      solve_range();
   }
   catch (const SingularMatrix &error)
   {
@@ -208,14 +316,16 @@ void Harmonic<dim>::perform()
                    "damping. Give other frequencies, or a material with damping.");
   }
   tables->finish();
+  WaveNumberTable<dim>(run, tables->recorded()).write();
   if (!input.harmonic.field_frequencies.empty())
     writer->finish(run.summary);
   std::ostringstream text;
-  text << all_s.size() << (all_s.size() == 1 ? " frequency" : " frequencies") << " of "
+  text << input.harmonic.frequencies.size()
+       << (input.harmonic.frequencies.size() == 1 ? " frequency" : " frequencies") << " of "
        << system->n_unknowns() << " unknowns";
   run.log.line(text.str());
   run.summary.set("solver of the frequencies", system->solver_name());
-  run.summary.set("frequencies", static_cast<double>(all_s.size()));
+  run.summary.set("frequencies", static_cast<double>(input.harmonic.frequencies.size()));
   run.summary.set("memory of the factors [bytes]", system->factor_memory());
   run.summary.add({"largest residual", system->largest_residual(), "1", ""});
   run.citations.add("mumps");

@@ -45,7 +45,9 @@ void check_harmonic_body(const Case<dim> &input, ParameterSection root, const st
   check_conditions(problem, root, remedy);
   ParameterSection initial_state = root.subsection("Initial state");
   for (const char *key : {"Velocity", "Displacement", "Pressure", "Type"})
-    if (initial_state.given(key))
+    // A run in time of the same file may look for the mean of a periodic state.
+    if (initial_state.given(key) &&
+        !(key == std::string("Type") && input.analysis.name == "periodic response"))
       initial_state.refuse(key, "a motion that goes on for ever has no initial state",
                            "Remove the entry, or " + remedy);
   ParameterSection linear_solver = root.subsection("Linear solver");

@@ -1,11 +1,11 @@
 #include <continua/analysis/periodic_state.h>
 
+#include <continua/analysis/beat_columns.h>
 #include <continua/base/parameter_text.h>
 #include <continua/base/undefined.h>
 #include <continua/base/units.h>
 #include <continua/case/periodic_loads.h>
 #include <continua/continuum/field_list.h>
-#include <continua/signal/beat_values.h>
 
 #include <algorithm>
 #include <array>
@@ -17,33 +17,6 @@ namespace Continua
 namespace
 {
 const char *const difference_in_archive = "difference of the last beat";
-
-/// A value of a beat, with its name in the table and in the summary: of a pressure, of another
-/// field.
-struct BeatColumn
-{
-  const char *column;
-  const char *of_pressure;
-  const char *of_others;
-  double BeatValues::*member;
-};
-
-const std::array<BeatColumn, 5> &beat_columns()
-{
-  static const std::array<BeatColumn, 5> columns = {
-      {{"largest", "systolic ", "largest ", &BeatValues::largest},
-       {"smallest", "diastolic ", "smallest ", &BeatValues::smallest},
-       {"mean", "mean ", "mean ", &BeatValues::mean},
-       {"range", "pulse ", "range of ", &BeatValues::range},
-       {"difference", "difference of ", "difference of ", &BeatValues::difference}}};
-  return columns;
-}
-
-std::string quantity_name(const BeatColumn &column, const std::string &field)
-{
-  const bool is_pressure = field == "pressure" || field == "axis pressure";
-  return (is_pressure ? column.of_pressure : column.of_others) + field + " of the last beat";
-}
 
 /// Columns of the table before those of the probes.
 constexpr std::size_t n_first_columns = 3;
@@ -201,7 +174,7 @@ void PeriodicState<dim>::finish()
     {
       const ProbeColumnName name = probes.name_of(column);
       const bool is_difference = of_beat.member == &BeatValues::difference;
-      add(quantity_name(of_beat, name.field), rows.back()[place++],
+      add(beat_quantity_name(of_beat, name.field), rows.back()[place++],
           is_difference ? "1" : probes.unit_of(column), name.label());
     }
   add("beats", rows.size(), "1", "");
@@ -237,7 +210,7 @@ void PeriodicState<dim>::name_quantities(const Case<dim> &input, QuantityNames &
   for (const ProbeColumnName &column :
        input.probes.expected_columns(field_names<dim>(input.problem)))
     for (const BeatColumn &of_beat : beat_columns())
-      names.add(quantity_name(of_beat, column.field), column.label());
+      names.add(beat_quantity_name(of_beat, column.field), column.label());
   for (const char *const name :
        {"beats", "largest difference of the last beat", "first beat that had settled"})
     names.add(name);

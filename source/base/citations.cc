@@ -152,6 +152,17 @@ std::vector<std::pair<std::string, std::string>> table()
   doi     = {10.1016/0021-9991(86)90099-9}
 }
 )"},
+          {"aaa", R"(@article{aaa,
+  author  = {Nakatsukasa, Yuji and S{\`e}te, Olivier and Trefethen, Lloyd N.},
+  title   = {The {AAA} algorithm for rational approximation},
+  journal = {SIAM Journal on Scientific Computing},
+  volume  = {40},
+  number  = {3},
+  pages   = {A1494--A1522},
+  year    = {2018},
+  doi     = {10.1137/16M1106122}
+}
+)"},
           {"rannacher1984", R"(@article{rannacher1984,
   author  = {Rannacher, Rolf},
   title   = {Finite element solution of diffusion problems with irregular data},

@@ -32,10 +32,12 @@ const std::vector<std::string> &output_files()
                                                  "fit-uniaxial.csv",
                                                  "fit.csv",
                                                  "harmonic.csv",
+                                                 "harmonics.csv",
                                                  "identification.csv",
                                                  "impedance.csv",
                                                  "inflation.csv",
                                                  "input",
+                                                 "interpolated-response.csv",
                                                  "load-steps.csv",
                                                  "loaded-tube.csv",
                                                  "log.txt",
@@ -59,6 +61,7 @@ const std::vector<std::string> &output_files()
                                                  "relaxation.csv",
                                                  "report.html",
                                                  "residuals.csv",
+                                                 "resonances.csv",
                                                  "response.csv",
                                                  "runs.csv",
                                                  "shear-relaxation.csv",
@@ -71,6 +74,7 @@ const std::vector<std::string> &output_files()
                                                  "transfer.csv",
                                                  "uniaxial.csv",
                                                  "view-in-paraview.py",
+                                                 "wave-numbers.csv",
                                                  "wave.csv"};
   return names;
 }

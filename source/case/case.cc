@@ -254,6 +254,15 @@ Case<dim>::Case(ParameterFile &file,
   {
     if (analysis.name == "harmonic")
       harmonic.read(root.subsection("Harmonic"));
+    else if (analysis.name == "resonances")
+      resonances.read(root.subsection("Resonances"));
+    else if (analysis.name == "periodic response")
+    {
+      periodic_response.read(root.subsection("Periodic response"));
+      // The rows and the period are those of a run in time.
+      time.read(root.subsection("Time"));
+      periodic_state.read(root.subsection("Periodic state"));
+    }
   }
   else
     rest.read(root.subsection("Steady"), problem.is_nonlinear());
@@ -319,7 +328,9 @@ Case<dim>::Case(ParameterFile &file,
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   check_case(*this, root);
-  if (analysis.is_transient())
+  // A start from the mean needs them, too.
+  const bool has_beats = analysis.is_harmonic() && periodic_state.is_on;
+  if (analysis.is_transient() || has_beats)
     set_periodic_loads(*this, root);
   // Wave theory takes the laws themselves, and a run that goes on has its branches in a checkpoint.
   if (analysis.is_transient() && !restart)
@@ -337,7 +348,7 @@ Case<dim>::Case(ParameterFile &file,
                       field_names<dim>(problem));
   n_histories = probes.expected_columns(field_names<dim>(problem)).size();
   check_histories(*this, root.subsection("Probes"));
-  if (analysis.is_transient() && periodic_state.is_on)
+  if (periodic_state.is_on && (analysis.is_transient() || has_beats))
     check_compared_probes(*this, root.subsection("Periodic state"));
   set_further_fields(*this, root.subsection("Output"), in_time);
   power_laws.name_quantities(quantities);

@@ -44,6 +44,14 @@ unsigned int ranks_on_this_machine(const MPI_Comm communicator)
 }
 
 /// But for wave theory.
+/// Of a harmonic analysis as given; of one that chooses them by itself as many as usual.
+template <int dim>
+std::size_t n_frequencies_of(const Case<dim> &input)
+{
+  constexpr std::size_t n_usual = 50;
+  return input.harmonic.frequencies.empty() ? n_usual : input.harmonic.frequencies.size();
+}
+
 template <int dim>
 CostInput cost_of_fields(const Case<dim> &input)
 {
@@ -84,11 +92,11 @@ CostInput cost_of_fields(const Case<dim> &input)
   else
   {
     cost.to_rest = !cost.is_of_vibrations;
-    cost.n_steps = input.analysis.is_harmonic() ? input.harmonic.frequencies.size()
+    cost.n_steps = input.analysis.is_harmonic() ? n_frequencies_of(input)
                    : cost.to_rest               ? 1.
                                                 : solves_of_modes;
     if (input.analysis.is_harmonic())
-      cost.n_factors = input.harmonic.frequencies.size();
+      cost.n_factors = n_frequencies_of(input);
   }
   return cost;
 }

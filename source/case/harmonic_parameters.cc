@@ -52,11 +52,15 @@ void HarmonicParameters::read(ParameterSection section)
               "Pa behind an outlet, 1 m^3/s into the body at a flow rate without a profile. The "
               "loads of the file are left out then; velocities that it prescribes are zero. Empty: "
               "the loads of the file, whose entries are amplitudes.");
+  section.add("Waves at stations", n_waves,
+              "Waves that go both ways along a tube and are fitted to the values at three stations "
+              "of a probe or more: 1 - the pressure wave; 2 - the axial wave of a free wall beside "
+              "it, which needs five stations [1].",
+              1, 2);
 }
 
 void HarmonicParameters::add_range(ParameterSection section)
 {
-  double lowest = 0., highest = 0.;
   unsigned int n = 51;
   FrequencySpacing spacing = FrequencySpacing::linear;
   section.add("Lowest frequency", lowest, Dimensions::frequency, "First frequency of a range.",
@@ -64,14 +68,23 @@ void HarmonicParameters::add_range(ParameterSection section)
   section.add("Highest frequency", highest, Dimensions::frequency,
               "Last frequency of a range. Without one there are the Frequencies alone.",
               Range::positive());
-  section.add("Number of frequencies", n, "Of the range, its ends included [1].", 2);
+  section.add(
+      "Number of frequencies", n,
+      "Of the range, its ends included; with a Response tolerance the most that it gets [1].", 2);
   add_choice(section, "Spacing", spacing,
              {{"linear", FrequencySpacing::linear}, {"logarithmic", FrequencySpacing::logarithmic}},
              "How the frequencies of the range follow each other: linear - at equal distances; "
              "logarithmic - at equal ratios.");
+  is_logarithmic = spacing == FrequencySpacing::logarithmic;
+  section.add("Response tolerance", response_tolerance, Dimensions::none,
+              "The range gets further frequencies, where the responses of the probes bend, until a "
+              "rational approximation differs from new ones by no more than this part of the "
+              "largest response [1]. 0: the range stays as it is.",
+              Range::not_negative());
   if (!section.given("Highest frequency"))
   {
-    for (const char *key : {"Lowest frequency", "Number of frequencies", "Spacing"})
+    for (const char *key :
+         {"Lowest frequency", "Number of frequencies", "Spacing", "Response tolerance"})
       if (section.given(key))
         section.refuse(key, "the range has no end",
                        "Give 'Highest frequency', or remove the entry");
@@ -80,6 +93,13 @@ void HarmonicParameters::add_range(ParameterSection section)
   section.require("Lowest frequency");
   if (lowest >= highest)
     section.refuse("Lowest frequency", "it is not below the highest frequency", "Give a lower one");
+  if (response_tolerance > 0.)
+  {
+    most_frequencies = section.given("Number of frequencies") ? n : most_frequencies;
+    frequencies.push_back(lowest);
+    frequencies.push_back(highest);
+    return;
+  }
   for (unsigned int k = 0; k < n; ++k)
   {
     const double part = static_cast<double>(k) / (n - 1);

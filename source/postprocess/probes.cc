@@ -277,9 +277,15 @@ double Probes<dim>::sum_of(const Terms &terms) const
 template <int dim>
 void Probes<dim>::record(const double time)
 {
+  if (!columns.empty())
+    record(time, present_values());
+}
+
+template <int dim>
+void Probes<dim>::record(const double time, const std::vector<double> &values)
+{
   if (columns.empty())
     return;
-  const std::vector<double> values = present_values();
   record_times.push_back(time);
   row.assign(1, time);
   row.insert(row.end(), values.begin(), values.end());

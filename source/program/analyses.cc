@@ -4,6 +4,8 @@
 #include <continua/analysis/harmonic.h>
 #include <continua/analysis/linear_wave_theory.h>
 #include <continua/analysis/modal.h>
+#include <continua/analysis/periodic_response.h>
+#include <continua/analysis/resonances.h>
 #include <continua/analysis/steady.h>
 #include <continua/analysis/transient.h>
 #include <continua/laboratory/amplification_analysis.h>
@@ -62,6 +64,20 @@ AnalysisRow row_of_sweep()
   return row;
 }
 
+/// The row of the periodic response, which passes over what Expected says of a run in time of the
+/// same file.
+AnalysisRow row_of_periodic_response()
+{
+  AnalysisRow row = row_of_case<PeriodicResponse>(
+      "periodic response",
+      "The state that periodic loads lead to after many periods, by its harmonics and without "
+      "steps in time.",
+      {"Periodic response", "Periodic state", "Time"}, Motion::harmonic, true, false);
+  row.traits_2d.name_others = &Transient<2>::name_quantities;
+  row.traits_3d.name_others = &Transient<3>::name_quantities;
+  return row;
+}
+
 /// The row of the theory, which passes over what Expected says of a run of the same file.
 AnalysisRow row_of_theory()
 {
@@ -95,7 +111,11 @@ const AnalysisTable &analyses()
                              "Motion of a linear body at given frequencies: responses, impedances, "
                              "mean powers.",
                              {"Harmonic"}, Motion::harmonic, true, false),
-       row_of_theory(),
+       row_of_case<Resonances>("resonances",
+                               "Frequencies, damping and shapes of the free motions of solids and "
+                               "liquids together.",
+                               {"Resonances"}, Motion::harmonic, true, false),
+       row_of_periodic_response(), row_of_theory(),
        row_of_study<Comparison, ComparisonParameters>(
            "comparison",
            "The same case by both discretisations on several meshes: orders, limits and whether "

@@ -4,6 +4,7 @@
 #include <continua/analysis/harmonic_tables.h>
 #include <continua/analysis/run.h>
 #include <continua/continuum/harmonic_system.h>
+#include <continua/frequency/frequency_refinement.h>
 #include <continua/postprocess/field_writer.h>
 
 #include <complex>
@@ -42,6 +43,11 @@ private:
   std::unique_ptr<FieldWriter<dim>> writer;
 
   void take_loads();
+  /// At given frequencies, one after the other.
+  void solve_range();
+  /// At as many as the responses of the probes need; then the frequencies are these, too.
+  void solve_refined_range();
+  void write_interpolated(const FrequencyRefinement &refinement) const;
   /// Of one frequency, by its number.
   void record(std::size_t number, const HarmonicSolution &solution);
 };

@@ -55,6 +55,8 @@ public:
   void record(double frequency, const HarmonicSolution &solution, const HarmonicLoad &total);
   /// Adds the quantities.
   void finish();
+  /// Of all frequencies so far.
+  const std::vector<ProbeResponse> &recorded() const { return responses; }
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:

@@ -11,8 +11,10 @@
 #include <continua/case/harmonic_parameters.h>
 #include <continua/case/measured_waves.h>
 #include <continua/case/modal_parameters.h>
+#include <continua/case/periodic_response_parameters.h>
 #include <continua/case/periodic_state_parameters.h>
 #include <continua/case/power_laws.h>
+#include <continua/case/resonance_parameters.h>
 #include <continua/case/wave_theory_parameters.h>
 #include <continua/continuum/problem.h>
 #include <continua/mesh/adaptation.h>
@@ -134,6 +136,8 @@ struct Case
   AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
   ModalParameters modal;
   HarmonicParameters harmonic; ///< of a harmonic analysis
+  ResonanceParameters resonances;
+  PeriodicResponseParameters periodic_response;
 };
 } // namespace Continua
 

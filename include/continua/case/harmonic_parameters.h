@@ -16,8 +16,15 @@ struct HarmonicParameters
   std::vector<double> frequencies;       ///< [Hz], those of the list and of the range, increasing
   std::vector<double> field_frequencies; ///< [Hz], whose fields are written
   std::string unit_load; ///< the name of a boundary that alone has a load, of size one; or empty
-  std::vector<double> phases;   ///< of the loads of the boundaries, by condition [rad]
-  double body_force_phase = 0.; ///< [rad]
+  /// Of the responses between the frequencies of the range, over the largest one [1]; 0: the range
+  /// is not refined.
+  double response_tolerance = 0.;
+  unsigned int most_frequencies = 200; ///< of a range that is refined
+  double lowest = 0., highest = 0.;    ///< of the range [Hz]
+  bool is_logarithmic = false;         ///< the range
+  unsigned int n_waves = 1;            ///< that are fitted to stations along a tube
+  std::vector<double> phases;          ///< of the loads of the boundaries, by condition [rad]
+  double body_force_phase = 0.;        ///< [rad]
 
   /// Throws InputError.
   void read(ParameterSection section);

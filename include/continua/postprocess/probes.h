@@ -112,6 +112,8 @@ public:
   std::vector<double> present_values();
   /// Records the present state under `time` [s]. RunError on rank 0 when the disk refuses.
   void record(double time);
+  /// Records values of all columns [SI] that are not those of the present state.
+  void record(double time, const std::vector<double> &values);
 
   /**
    * Closes the file and adds the quantities of every column with signal analysis, in SI, as far as

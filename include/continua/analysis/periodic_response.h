@@ -1,0 +1,50 @@
+#ifndef continua_analysis_periodic_response_h
+#define continua_analysis_periodic_response_h
+
+#include <continua/analysis/load_samples.h>
+#include <continua/analysis/run.h>
+#include <continua/frequency/periodic_series.h>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace Continua
+{
+/**
+ * The state that a linear body under periodic loads reaches after many periods, without steps in
+ * time: the sum of the responses to the harmonics of the loads, as many as the probes of the section
+ * Periodic state need (PeriodicSeries). Harmonic 0 is the mean. probes.csv has the rows of a run in
+ * time over one period, beats.csv its row of a settled beat, harmonics.csv the amplitudes.
+ */
+template <int dim>
+class PeriodicResponse
+{
+public:
+  using Complex = std::complex<double>;
+
+  explicit PeriodicResponse(Run<dim> &run) : run(run) {}
+  void perform();
+
+  /// What is linear, under loads that repeat themselves. Throws InputError.
+  static void check(const Case<dim> &input, ParameterSection root);
+  static void name_quantities(const Case<dim> &input, QuantityNames &names);
+
+private:
+  Run<dim> &run;
+  std::unique_ptr<HarmonicSystem<dim>> system;
+  std::unique_ptr<LoadSamples<dim>> loads;
+  std::vector<std::vector<Complex>> spectra; ///< by shape of the loads, by harmonic
+  std::vector<double> load_sizes; ///< by harmonic: the sum over the shapes, each over its largest value
+
+  void take_loads();
+  HarmonicLoad load_of(unsigned int harmonic) const;
+  /// Of each column of the probes.
+  std::vector<Complex> amplitudes(unsigned int harmonic);
+  std::vector<Complex> means();
+  void write_history(const PeriodicSeries &series);
+  void write_harmonics(const PeriodicSeries &series);
+};
+} // namespace Continua
+
+#endif

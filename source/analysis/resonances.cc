@@ -1,0 +1,263 @@
+#include <continua/analysis/resonances.h>
+
+#include <continua/analysis/harmonic_checks.h>
+#include <continua/analysis/harmonic_tables.h>
+#include <continua/base/collective.h>
+#include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
+#include <continua/base/table_writer.h>
+#include <continua/frequency/winding_number.h>
+#include <continua/linear_algebra/singular_matrix.h>
+#include <continua/postprocess/field_writer.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+using Complex = std::complex<double>;
+
+/// Resonances that have quantities in the summary.
+constexpr unsigned int most_named = 100;
+/// A smaller one is round-off.
+constexpr double least_damping_ratio = 1e-9;
+/// By this angle the contour of the count goes round the axis, where a body without damping has
+/// its modes [rad].
+constexpr double angle_beyond_axis = 0.02;
+constexpr std::size_t most_evaluations = 600;
+
+/// Makes the largest displacement a real one of 1 m. The first of equal ones counts, on the first
+/// rank that has one.
+void normalise(HarmonicSolution &shape, const MPI_Comm communicator)
+{
+  Complex largest = 0.;
+  // Round-off must not choose between components that symmetry makes equal.
+  for (const Complex &value : shape.displacement)
+    if (std::abs(value) > (1. + 1e-6) * std::abs(largest))
+      largest = value;
+  const std::vector<double> real = all_gather(communicator, largest.real());
+  const std::vector<double> imaginary = all_gather(communicator, largest.imag());
+  Complex chosen = 0.;
+  for (std::size_t rank = 0; rank < real.size(); ++rank)
+    if (const Complex value(real[rank], imaginary[rank]);
+        std::abs(value) > (1. + 1e-6) * std::abs(chosen))
+      chosen = value;
+  HarmonicSolution scaled;
+  scaled.s = shape.s;
+  scaled.add(1. / chosen, shape);
+  shape = scaled;
+}
+
+/// The boundaries that may have a unit load: those with a traction, and outlets.
+template <int dim>
+std::vector<unsigned int> unit_loads_of(const Problem &problem, const HarmonicSystem<dim> &system)
+{
+  std::vector<unsigned int> result;
+  for (unsigned int c = 0; c < problem.conditions.size(); ++c)
+  {
+    const bool is_port =
+        std::find(system.ports().begin(), system.ports().end(), c) != system.ports().end();
+    // A force makes no work on a port, whose pressure is part of the answer.
+    if (!is_port && problem.conditions[c].normal.kind == BoundaryPart::Kind::traction)
+      result.push_back(c);
+  }
+  return result;
+}
+} // namespace
+
+template <int dim>
+void Resonances<dim>::check(const Case<dim> &input, ParameterSection root)
+{
+  check_harmonic_body(input, root, "use Analysis = transient");
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.type == BoundaryType::absorbing)
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Type",
+                  "the tube behind an absorbing end has no waves that die away in time, as a free "
+                  "motion does",
+                  "Use 'free', 'fixed', 'resistance' or 'windkessel'");
+}
+
+template <int dim>
+void Resonances<dim>::name_quantities(const Case<dim> &, QuantityNames &names)
+{
+  names.add("resonances");
+  names.add("resonances by winding");
+  names.add("largest residual");
+  for (unsigned int k = 1; k <= most_named; ++k)
+    for (const char *const what : {"frequency", "natural frequency", "damping ratio",
+                                   "quality factor"})
+      names.add("resonance " + std::to_string(k) + " " + what);
+}
+
+template <int dim>
+void Resonances<dim>::perform()
+{
+  run.initialise();
+  Case<dim> &input = run.input;
+  system = run.solver->harmonic_system();
+  if (!system)
+    throw RunError("the discretisation '" + input.general.discretisation +
+                   "' has no frequency domain; set Discretisation = taylor hood");
+  run.log.line("Solver: " + system->solver_name());
+  ResonanceSearch<dim> search(*system, input.resonances, unit_loads_of(input.problem, *system),
+                              input.communicator, run.log);
+  std::vector<Resonance> found;
+  {
+    SectionTimer::Scope scope(run.log.timer(), "resonances");
+    found = search.find();
+  }
+  std::ostringstream text;
+  text << search.n_frequencies() << " frequencies, " << search.n_candidates() << " candidates, "
+       << found.size() << (found.size() == 1 ? " resonance" : " resonances");
+  run.log.detail(text.str());
+  if (!search.responses_are_known())
+    run.log.warning("the responses are not known between the frequencies (a difference of " +
+                    std::to_string(search.difference()) +
+                    " of the largest): resonances may be missing. Give a narrower band, or more "
+                    "Resonances/Most frequencies");
+  write(found);
+  if (input.resonances.counts)
+    count(found);
+  run.summary.set("frequencies", static_cast<double>(search.n_frequencies()));
+  run.summary.set("candidates", static_cast<double>(search.n_candidates()));
+  run.citations.add("mumps");
+  run.citations.add("aaa");
+  run.finish(0, 0.);
+}
+
+template <int dim>
+void Resonances<dim>::write(std::vector<Resonance> &found)
+{
+  Case<dim> &input = run.input;
+  std::vector<std::string> header = {
+      "resonance [1]",      "frequency [Hz]", "natural frequency [Hz]", "damping ratio [1]",
+      "quality factor [1]", "Re s [1/s]",     "Im s [1/s]",             "residual [1]"};
+  for (const std::string &name : input.probes.column_names())
+    for (const char *const part : {"real ", "imaginary "})
+      header.push_back(part + name);
+  std::unique_ptr<TableWriter> table;
+  if (run.is_writer)
+    table = std::make_unique<TableWriter>(run.directory.file("resonances.csv"), header);
+  FieldWriter<dim> writer(input.communicator, run.directory.path(),
+                          input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
+                          input.output.higher_order_cells, input.output.files_per_state);
+  double largest_residual = 0.;
+  std::vector<std::string> texts;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    Resonance &resonance = found[k];
+    normalise(resonance.shape, input.communicator);
+    largest_residual = std::max(largest_residual, resonance.residual);
+    std::vector<double> row = {k + 1.,
+                               resonance.frequency(),
+                               resonance.natural_frequency(),
+                               resonance.damping_ratio(),
+                               resonance.quality_factor(),
+                               resonance.s.real(),
+                               resonance.s.imag(),
+                               resonance.residual};
+    for (const Complex &value : probe_values(*system, input.probes, resonance.shape))
+    {
+      row.push_back(value.real());
+      row.push_back(value.imag());
+    }
+    if (table)
+      table->row(row);
+    if (input.output.final_fields)
+      for (const bool is_imaginary : {false, true})
+      {
+        system->show(resonance.shape, is_imaginary ? Complex(0., -1.) : Complex(1.));
+        writer.write(*run.solver, k + (is_imaginary ? 1.5 : 1.));
+      }
+    std::ostringstream text;
+    text.precision(5);
+    const bool is_damped = std::abs(resonance.damping_ratio()) > least_damping_ratio;
+    text << "Resonance " << k + 1 << ": " << resonance.frequency() << " Hz, ";
+    if (is_damped)
+      text << "damping ratio " << resonance.damping_ratio() << ", quality factor "
+           << resonance.quality_factor();
+    else
+      text << "no damping";
+    run.log.line(text.str());
+    texts.push_back(text.str());
+    if (k >= most_named)
+      continue;
+    const std::string name = "resonance " + std::to_string(k + 1) + " ";
+    run.summary.add({name + "frequency", resonance.frequency(), "Hz", ""});
+    run.summary.add({name + "natural frequency", resonance.natural_frequency(), "Hz", ""});
+    run.summary.add({name + "damping ratio", resonance.damping_ratio(), "1", ""});
+    if (is_damped)
+      run.summary.add({name + "quality factor", resonance.quality_factor(), "1", ""});
+    else
+      run.summary.add_absence(name + "quality factor", "", "the resonance has no damping");
+  }
+  if (table)
+    table->flush();
+  if (input.output.final_fields)
+    writer.finish(run.summary);
+  run.summary.set("resonances", texts);
+  run.summary.add({"resonances", static_cast<double>(found.size()), "1", ""});
+  run.summary.add({"largest residual", largest_residual, "1", ""});
+}
+
+template <int dim>
+void Resonances<dim>::count(const std::vector<Resonance> &found)
+{
+  const ResonanceParameters &parameters = run.input.resonances;
+  SectionTimer::Scope scope(run.log.timer(), "count");
+  const auto logarithm = [this](const Complex s)
+  {
+    SignalWatch::stop_if_asked(run.input.communicator,
+                               "in the count of resonances; the search begins anew, with "
+                               "--overwrite");
+    try
+    {
+      system->factor(s);
+    }
+    catch (const SingularMatrix &)
+    {
+      system->factor(s * (1. + 1e-9));
+    }
+    return system->determinant().logarithm;
+  };
+  const PlaneSector band = {2. * numbers::PI * parameters.lowest,
+                            2. * numbers::PI * parameters.highest,
+                            0.5 * numbers::PI - angle_beyond_axis,
+                            0.5 * numbers::PI + std::asin(parameters.largest_damping_ratio)};
+  const WindingNumber winding = winding_number(logarithm, band, most_evaluations);
+  if (!winding.is_known)
+  {
+    run.log.warning("the number of resonances was not found by the winding of the determinant, in " +
+                    std::to_string(winding.n_evaluations) +
+                    " factors: one may lie on the edge of the band");
+    run.summary.add_absence("resonances by winding", "",
+                            "the phase of the determinant was not followed round the band");
+    return;
+  }
+  run.log.line("By the winding of the determinant: " + std::to_string(winding.number));
+  run.log.detail("The winding took " + std::to_string(winding.n_evaluations) + " factors");
+  run.summary.add({"resonances by winding", static_cast<double>(winding.number), "1", ""});
+  if (winding.number != static_cast<int>(found.size()))
+    run.log.warning("the band has " + std::to_string(winding.number) +
+                    " resonances by the winding of the determinant, and " +
+                    std::to_string(found.size()) +
+                    " were found: " +
+                    (winding.number > static_cast<int>(found.size())
+                         ? "some are missing, or are equal to others by symmetry. Give more "
+                           "Resonances/Loads in a region, or a smaller Tolerance"
+                         : "the determinant has poles in the band, such as those of an absorbing "
+                           "end"));
+}
+
+template class Resonances<2>;
+template class Resonances<3>;
+} // namespace Continua

@@ -1,0 +1,80 @@
+#include <continua/frequency/periodic_series.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Continua
+{
+PeriodicSeries::PeriodicSeries(const double period,
+                               const Harmonic &harmonic,
+                               const PeriodicSeriesOptions &options)
+    : length(period)
+{
+  if (!(period > 0.) || !(options.tolerance > 0.) || options.n_times < 2 ||
+      options.most_harmonics < options.least_harmonics || options.least_harmonics == 0)
+    throw std::invalid_argument("a periodic series has a period, a tolerance and harmonics");
+  for (unsigned int n = 0; n <= options.most_harmonics && !converged; ++n)
+  {
+    amplitudes.push_back(harmonic(n));
+    if (amplitudes.back().size() != amplitudes.front().size())
+      throw std::invalid_argument("harmonics have amplitudes of the same quantities");
+    if (n < options.least_harmonics)
+      continue;
+    measure(options);
+    converged = true;
+    for (std::size_t q = 0; q < last_changes.size(); ++q)
+      if (options.is_compared.empty() || options.is_compared.at(q))
+        converged = converged && last_changes[q] <= options.tolerance;
+  }
+}
+
+double PeriodicSeries::part(const std::size_t quantity,
+                            const double time,
+                            const unsigned int first,
+                            const unsigned int end) const
+{
+  double sum = 0.;
+  for (unsigned int n = first; n < end; ++n)
+    sum += (amplitudes[n][quantity] * std::polar(1., 2. * M_PI * n * time / length)).real();
+  return sum;
+}
+
+double PeriodicSeries::value(const std::size_t quantity, const double time) const
+{
+  return part(quantity, time, 0, amplitudes.size());
+}
+
+double PeriodicSeries::left_out(const std::size_t quantity, const std::vector<double> &load) const
+{
+  const std::size_t end = amplitudes.size(), first = end - std::max(1u, n_harmonics() / 3);
+  double response = 0., of_load = 0., left = 0.;
+  for (std::size_t n = first; n < std::min(end, load.size()); ++n)
+  {
+    response += std::abs(amplitudes[n][quantity]);
+    of_load += load[n];
+  }
+  for (std::size_t n = end; n < load.size(); ++n)
+    left += load[n];
+  return of_load > 0. ? left * response / of_load : 0.;
+}
+
+void PeriodicSeries::measure(const PeriodicSeriesOptions &options)
+{
+  const unsigned int end = amplitudes.size(), begin_of_last = end - std::max(1u, n_harmonics() / 3);
+  last_changes.assign(amplitudes.front().size(), 0.);
+  for (std::size_t q = 0; q < last_changes.size(); ++q)
+  {
+    double least = value(q, 0.), most = least, change = left_out(q, options.load);
+    for (std::size_t j = 0; j < options.n_times; ++j)
+    {
+      const double time = length * j / options.n_times;
+      const double now = value(q, time);
+      least = std::min(least, now);
+      most = std::max(most, now);
+      change = std::max(change, std::abs(part(q, time, begin_of_last, end)));
+    }
+    last_changes[q] = change > 0. ? change / (most - least) : 0.;
+  }
+}
+} // namespace Continua
