@@ -308,8 +308,10 @@ def draw_space_time(sheet, waves, several, probe=""):
         extent = (place_factor * places[0], place_factor * places[-1], time_factor * time[0], time_factor * time[-1])
         image = axes.imshow(factor * values.T[::step], origin="lower", aspect="auto", extent=extent, **look)
         levels = factor * largest * numpy.linspace(-1, 1, 11)
-        axes.contour(place_factor * places, time_factor * time[::step], factor * values.T[::step], levels,
-                     colors="#000000", linewidths=0.3, linestyles="-")
+        drawn = factor * values.T[::step]
+        levels = levels[(levels > numpy.nanmin(drawn)) & (levels < numpy.nanmax(drawn))]
+        if levels.size:
+            axes.contour(place_factor * places, time_factor * time[::step], drawn, levels, colors="#000000", linewidths=0.3, linestyles="-")
         if several:
             axes.set_title(textwrap.fill(run["title"], int(13 * (sheet.width - 1) / n_columns)), fontsize=8, loc="left")
         prefix = f"{run['title']}: " if several else ""
