@@ -14,8 +14,6 @@ using namespace Continua;
 
 UNIT_TEST(harmonic_parameters)
 {
-  static_cast<void>(argc);
-  static_cast<void>(argv);
   ParameterFile file = parameters_of("subsection Harmonic\nset Frequencies = 3 kHz, 2 Hz, 8 Hz\n"
                                      "set Lowest frequency = 0.5 Hz\n"
                                      "set Highest frequency = 8 Hz\nset Number of frequencies = 5\n"

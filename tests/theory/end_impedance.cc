@@ -17,13 +17,13 @@ UNIT_TEST(end_impedance)
 {
   using Complex = std::complex<double>;
   const TubeSection section = tube(0.0125, 1e-4, 1000., 1.72e6, 0.49, 1000., 1e-3);
-  const std::vector<double> frequencies = {0.5, 1., 2., 4., 8., 16.};
+  const std::vector<double> frequencies = {2., 4., 8., 16.};
   for (const double shift : {0., 3.})
   {
     const auto reference = matched_impedances(section, WallEnd::absorbing, shift, frequencies);
     const EndImpedance impedance(section, WallEnd::absorbing, 4.);
     double error = 0., conjugate = 0.;
-    for (const unsigned int k : {5, 0, 2})
+    for (const unsigned int k : {3, 0})
     {
       const auto value = impedance({shift, 2. * pi * frequencies[k]});
       const auto other = impedance({shift, -2. * pi * frequencies[k]});
