@@ -228,7 +228,7 @@ void PeriodicResponse<dim>::perform()
   if (!system)
     throw RunError("the discretisation '" + input.general.discretisation +
                    "' has no frequency domain; set Discretisation = taylor hood");
-  run.log.line("Solver: " + system->solver_name());
+  run.log.detail("Solver: " + system->solver_name());
   {
     SectionTimer::Scope scope(run.log.timer(), "loads");
     take_loads();

@@ -107,7 +107,7 @@ void Resonances<dim>::perform()
   if (!system)
     throw RunError("the discretisation '" + input.general.discretisation +
                    "' has no frequency domain; set Discretisation = taylor hood");
-  run.log.line("Solver: " + system->solver_name());
+  run.log.detail("Solver: " + system->solver_name());
   ResonanceSearch<dim> search(*system, input.resonances, unit_loads_of(input.problem, *system),
                               input.communicator, run.log);
   std::vector<Resonance> found;
