@@ -1,13 +1,13 @@
 #include <continua/laboratory/nonlinear_wave_theory.h>
 
 #include <continua/base/citations.h>
-#include <continua/base/duration_text.h>
 #include <continua/base/interruption.h>
 #include <continua/base/six_digits.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/beat_values.h>
+#include <continua/signal/first_pulse.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,26 @@ namespace
 constexpr const char *recorded_fields[] = {"pressure", "flow rate", "area"};
 constexpr const char *recorded_units[] = {"Pa", "m^3/s", "m^2"};
 constexpr unsigned int n_station_fields = 3;
+
+/// Of a pressure over the pressure [1]: a smaller range is no wave, but what is left of one.
+constexpr double smallest_range = 1e-8;
+
+/// The largest difference of a pressure [Pa] from that a beat before, over its range.
+double difference_of_beat(const std::vector<double> &times,
+                          const std::vector<double> &pressure,
+                          const unsigned int n_intervals,
+                          const unsigned int beat)
+{
+  const BeatValues values = beat_values(times, pressure, n_intervals, beat);
+  const double floor =
+      smallest_range * std::fmax(std::abs(values.largest), std::abs(values.smallest));
+  if (values.range > floor)
+    return values.difference;
+  double largest = 0.;
+  for (std::size_t i = (beat - 1) * n_intervals; i <= beat * n_intervals; ++i)
+    largest = std::fmax(largest, std::abs(pressure[i] - pressure[i - n_intervals]));
+  return largest > 0. ? largest / floor : 0.;
+}
 } // namespace
 
 NonlinearWaveTheory::NonlinearWaveTheory(const AnalysisInput &input) : Analysis(input)
@@ -76,6 +96,9 @@ std::vector<std::string> NonlinearWaveTheory::outline() const
                       ? "beats of " + six_digits(parameters.period) + " s, at most " +
                             std::to_string(parameters.most_beats)
                       : "to " + six_digits(parameters.end_time) + " s");
+  const double whole = parameters.period > 0. ? parameters.period : parameters.end_time;
+  lines.push_back("a row of probes.csv every " + six_digits(whole / parameters.n_intervals()) +
+                  " s");
   return lines;
 }
 
@@ -129,7 +152,7 @@ void NonlinearWaveTheory::run(Network &network,
     for (const History &history : records.stations)
       records.difference =
           std::fmax(records.difference,
-                    beat_values(records.times, history.pressure, n_intervals, beat).difference);
+                    difference_of_beat(records.times, history.pressure, n_intervals, beat));
     if (records.difference <= parameters.tolerance)
       break;
   }
@@ -166,9 +189,12 @@ void NonlinearWaveTheory::add_quantities(const Network &network,
       summary.add({"range of " + field, values.range, unit, name});
     }
     const auto begin = history.pressure.end() - (n_intervals + 1);
-    const std::size_t highest = std::max_element(begin, history.pressure.end()) - begin;
+    const std::size_t first = begin - history.pressure.begin(),
+                      highest = std::max_element(begin, history.pressure.end()) - begin;
+    const std::vector<double> beat_times(records.times.begin() + first, records.times.end()),
+        beat(begin, history.pressure.end());
     summary.add({"time of the largest pressure",
-                 highest * network.time() / records.n_beats / n_intervals, "s", name});
+                 refine_extremum(beat_times, beat, highest).time - beat_times.front(), "s", name});
   }
   summary.add({"steps", static_cast<double>(network.n_steps()), "1", ""});
   if (parameters.period > 0.)

@@ -1,7 +1,5 @@
 #include <continua/network/end_wave.h>
 
-#include <gsl/gsl_integration.h>
-
 #include <cmath>
 
 namespace Continua
@@ -14,29 +12,33 @@ EndWave::EndWave(Vessel &vessel, const Vessel::End end)
 void EndWave::begin()
 {
   trace = vessel.trace(end);
-  trace_rate = rate(trace.area, vessel.stiffness(end, trace.area));
+  trace_rate = rate(-sign, trace.area, vessel.stiffness(end, trace.area), trace.flow / trace.area);
 }
 
-double EndWave::rate(const double area, const double stiffness) const
+double EndWave::rate(const double direction,
+                     const double area,
+                     const double stiffness,
+                     const double velocity) const
 {
   const FlowLaw &law = vessel.flow_law();
-  const double velocity = trace.flow / trace.area;
-  return ((law.momentum_correction - 1.) * velocity -
-          sign * law.relative_speed(area * stiffness, velocity)) /
+  return ((law.momentum_correction - 1.) * velocity +
+          direction * law.relative_speed(area * stiffness, velocity)) /
          area;
 }
 
 EndWave::Values EndWave::at_area(const double area) const
 {
   const FlowLaw &law = vessel.flow_law();
-  const double middle = 0.5 * (trace.area + area);
+  const double start = trace.flow / trace.area, change = area - trace.area,
+               middle = 0.5 * (trace.area + area);
   Values values{};
   values.pressure = vessel.pressure(end, area);
   values.stiffness = vessel.stiffness(end, area);
-  const double last = rate(area, values.stiffness),
-               of_middle = rate(middle, vessel.stiffness(end, middle));
-  values.velocity =
-      trace.flow / trace.area + (area - trace.area) * (trace_rate + 4. * of_middle + last) / 6.;
+  const double of_middle = rate(-sign, middle, vessel.stiffness(end, middle),
+                                start + 0.5 * change * trace_rate),
+               last = rate(-sign, area, values.stiffness,
+                           start + change * (2. * of_middle - trace_rate));
+  values.velocity = start + change * (trace_rate + 4. * of_middle + last) / 6.;
   values.velocity_slope = last;
   values.inflow = sign * area * values.velocity;
   values.inflow_slope = sign * (values.velocity + area * values.velocity_slope);
@@ -51,17 +53,25 @@ void EndWave::take(const double area)
   vessel.set_end(end, {area, area * at_area(area).velocity});
 }
 
-double EndWave::speed_integral(const double from, const double to) const
+std::pair<double, double> EndWave::leaving(const double rest, const double area) const
 {
-  static const std::unique_ptr<gsl_integration_glfixed_table,
-                               decltype(&gsl_integration_glfixed_table_free)>
-      table(gsl_integration_glfixed_table_alloc(12), &gsl_integration_glfixed_table_free);
-  const auto integrand = [this](const double area)
-  { return std::sqrt(vessel.stiffness(end, area) / (vessel.flow_law().density * area)); };
-  const gsl_function function = {[](const double area, void *const data) {
-                                   return (*static_cast<const decltype(integrand) *>(data))(area);
-                                 },
-                                 const_cast<void *>(static_cast<const void *>(&integrand))};
-  return gsl_integration_glfixed(&function, from, to, table.get());
+  // The classic method of Runge and Kutta over the logarithm of the area, in which the speed of the
+  // wave varies slowly.
+  constexpr unsigned int n_steps = 8;
+  const double length = std::log(area / rest) / n_steps;
+  const auto slope = [&](const double place, const double velocity)
+  {
+    const double there = rest * std::exp(place * length);
+    return length * there * rate(sign, there, vessel.stiffness(end, there), velocity);
+  };
+  double velocity = 0.;
+  for (unsigned int i = 0; i < n_steps; ++i)
+  {
+    const double first = slope(i, velocity), second = slope(i + 0.5, velocity + 0.5 * first),
+                 third = slope(i + 0.5, velocity + 0.5 * second),
+                 fourth = slope(i + 1., velocity + third);
+    velocity += (first + 2. * (second + third) + fourth) / 6.;
+  }
+  return {velocity, rate(sign, area, vessel.stiffness(end, area), velocity)};
 }
 } // namespace Continua

@@ -11,12 +11,8 @@ namespace Continua
 {
 namespace
 {
-/// Over the time to which a network goes on: what is less is a wave without a limit.
+/// Of a step over the time of a call of advance(): with a shorter one it would not end.
 constexpr double smallest_step = 1e-9;
-
-const char *const remedy = ". Lower the flow rate or the pressures at the terminals, raise the "
-                           "initial pressure, or give a "
-                           "stiffer wall";
 } // namespace
 
 Network::Network(std::vector<Edge> all_edges, const std::vector<TerminalLaw> &terminals)
@@ -70,7 +66,9 @@ void Network::solve_nodes(const bool at_end_of_step, const double length)
   }
   catch (const std::domain_error &error)
   {
-    throw StepFailure("at " + six_digits(now) + " s: " + error.what() + remedy);
+    throw StepFailure("at " + six_digits(now) + " s: " + error.what() +
+                      ". Lower the flow rates or the pressures at the terminals, or give a stiffer "
+                      "wall");
   }
 }
 
@@ -82,7 +80,7 @@ void Network::check_state() const
     if (!problem.text.empty())
       throw StepFailure("at " + six_digits(now) + " s, " + six_digits(problem.position) +
                         " m from the start of the vessel '" + edge.vessel->name() +
-                        "': " + problem.text + remedy);
+                        "': " + problem.text + ". " + problem.remedy);
   }
 }
 
@@ -92,8 +90,11 @@ void Network::step(const double length)
     edge.vessel->begin_step();
   for (const bool at_end_of_step : {false, true})
   {
+    bool has_states = true;
     for (const Edge &edge : edges)
-      edge.vessel->reconstruct();
+      has_states = edge.vessel->reconstruct() && has_states;
+    if (!has_states)
+      check_state();
     solve_nodes(at_end_of_step, length);
     for (const Edge &edge : edges)
       edge.vessel->advance(length, at_end_of_step ? 0.5 : 0.);
@@ -108,10 +109,14 @@ void Network::advance(const double end_time, const double courant_number)
   {
     double largest = end_time - now;
     for (const Edge &edge : edges)
+    {
       largest = std::min(largest, courant_number * edge.vessel->largest_step());
-    if (!(largest > smallest_step * (end_time - begin)))
-      throw StepFailure("at " + six_digits(now) +
-                        " s: the step has become too small for the waves");
+      if (!(largest > smallest_step * (end_time - begin)))
+        throw StepFailure("at " + six_digits(now) + " s: the step has come down to " +
+                          six_digits(largest) + " s in the vessel '" + edge.vessel->name() +
+                          "', whose waves are too fast for its cells or whose friction is too "
+                          "large. Give longer cells, a softer wall or larger radii");
+    }
     const double n_left = std::ceil((end_time - now) / largest * (1. - 1e-12)),
                  length = (end_time - now) / n_left;
     step(length);

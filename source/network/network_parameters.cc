@@ -19,6 +19,8 @@ namespace
 constexpr double pi = FlowLaw::pi;
 /// Of heights that close a loop, relative to the sum of the rises.
 constexpr double tolerance_of_heights = 1e-9;
+constexpr double most_cells = 1e6;     ///< of a vessel
+constexpr double most_intervals = 1e7; ///< of a beat, or of the run
 
 /// A remedy for a name that nothing has.
 std::string
@@ -60,7 +62,8 @@ void NetworkParameters::read_times(ParameterSection &section)
   section.add("Fewest cells", fewest_cells, "In each vessel [1].", 2);
   section.add("Courant number", courant_number, Dimensions::none,
               "Largest way of a wave in a step over the length of the cell [1]. The steps follow "
-              "from it.",
+              "from it. The friction limits them, too: by the same number times area/(2 pi (zeta + "
+              "2) mu/rho), which is the shorter one in vessels that are very thin.",
               {0., 1., true, false});
   section.add("Period", period, Dimensions::time,
               "Of the beats. The run goes on until a beat is like the one before. 0: there are no "
@@ -70,13 +73,15 @@ void NetworkParameters::read_times(ParameterSection &section)
   section.add(
       "Tolerance", tolerance, Dimensions::none,
       "Of the periodic state: the largest difference of the pressure at a station from that "
-      "a beat before, over its range in the beat [1].",
+      "a beat before, over its range in the beat [1]. A range below 1e-8 of the pressure counts as "
+      "that.",
       Range::positive());
   section.add("End time", end_time, Dimensions::time, "Of a run without beats.",
               Range::not_negative());
   section.add("Output interval", output_interval, Dimensions::time,
               "Between two rows of probes.csv; 0: a two-hundredth of the period, or a thousandth "
-              "of the end time.",
+              "of the end time. It is shortened so that the period, or the end time, has a whole "
+              "number of it.",
               Range::not_negative());
 }
 
@@ -165,10 +170,21 @@ void NetworkParameters::check(ParameterSection section)
     if (vessel->from == vessel->to)
       vessel->refuse("To", "the vessel '" + vessel->name + "' ends at the node where it starts",
                      "Name another node, or make two vessels of it");
+    if (std::abs(vessel->rise) > vessel->length)
+      vessel->refuse("Rise",
+                     "the vessel '" + vessel->name + "' is " + shortest_number(vessel->length) +
+                         " m long and cannot rise by " + shortest_number(vessel->rise) + " m",
+                     "Correct the rise, its unit, or the length");
     for (const std::string &name : {vessel->from, vessel->to})
       if (node(name) == nodes.size())
         nodes.push_back(name);
   }
+  for (const VesselEntries &vessel : vessels)
+    if (vessel.length / cell_length > most_cells)
+      section.refuse("Cell length",
+                     "the vessel '" + vessel.name + "' of " + shortest_number(vessel.length) +
+                         " m would have more than a million cells",
+                     "Give a longer one");
   check_ends();
   set_heights();
   check_stations(section);
@@ -288,6 +304,11 @@ void NetworkParameters::check_times(const ParameterSection &section)
   if (output_interval > 0.5 * whole)
     section.refuse("Output interval", "is more than half of " + shortest_number(whole) + " s",
                    "Give a shorter one");
+  if (output_interval > 0. && whole / output_interval > most_intervals)
+    section.refuse("Output interval",
+                   "probes.csv would have more than ten million rows in " + shortest_number(whole) +
+                       " s",
+                   "Give a longer one");
   for (const TerminalEntries &terminal : terminals)
     if (terminal.period > 0. && period > 0. && std::abs(terminal.period - period) > 1e-6 * period)
       section.refuse("Period",

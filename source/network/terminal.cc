@@ -1,5 +1,7 @@
 #include <continua/network/terminal.h>
 
+#include <continua/base/six_digits.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -45,9 +47,15 @@ double Terminal::area_with(const double time, const double source, const double 
   {
   case Type::pressure:
   {
-    const double area = wave.of().area_at(wave.at(), law.value(time), start);
+    const double pressure = law.value(time), largest = wave.of().largest_pressure(wave.at());
+    if (pressure >= largest)
+      throw std::domain_error("the given pressure, " + six_digits(pressure) +
+                              " Pa, is above the largest one of the wall, " + six_digits(largest) +
+                              " Pa");
+    const double area = wave.of().area_at(wave.at(), pressure, start);
     if (!(area > 0.))
-      throw std::domain_error("the wall has no state under the given pressure");
+      throw std::domain_error("the wall has no state under the given pressure, " +
+                              six_digits(pressure) + " Pa");
     return area;
   }
   case Type::flow_rate:
@@ -69,10 +77,9 @@ double Terminal::area_with(const double time, const double source, const double 
                      [&](const double area)
                      {
                        const EndWave::Values values = wave.at_area(area);
-                       const double speed = std::sqrt(values.stiffness / (wave.density() * area));
-                       return std::make_pair(values.velocity -
-                                                 wave.direction() * wave.speed_integral(rest, area),
-                                             values.velocity_slope - wave.direction() * speed);
+                       const auto [velocity, slope] = wave.leaving(rest, area);
+                       return std::make_pair(values.velocity - velocity,
+                                             values.velocity_slope - slope);
                      });
   }
   default:
@@ -97,7 +104,8 @@ double Terminal::solve(const bool at_end_of_step, const double time, const doubl
     {
       // The pressure of the compliance behind a flow rate that is linear over the step.
       const double x = step / (law.distal_resistance * law.compliance), mean = -std::expm1(-x) / x,
-                   of_begin = law.distal_resistance * (mean - std::exp(-x));
+                   of_begin = law.distal_resistance *
+                              (x < 1e-3 ? x * (0.5 - x * (1. / 3. - x / 8.)) : mean - std::exp(-x));
       of_outflow =
           law.distal_resistance * (x < 1e-3 ? x * (0.5 - x * (1. / 6. - x / 24.)) : 1. - mean);
       source = law.pressure_behind + std::exp(-x) * (compliance_pressure - law.pressure_behind) +

@@ -66,7 +66,8 @@ std::vector<std::pair<std::string, std::string>> TerminalEntries::types()
        "A resistance before a compliance that stands beside a second resistance (the windkessel "
        "of three elements)."},
       {"absorbing",
-       "The vessel goes on without limit: waves leave, and what comes in is the state at rest."},
+       "The vessel goes on without limit: waves leave, and what comes in is the state at rest. The "
+       "wave that leaves is taken as one without friction."},
       {"closed", "Nothing flows."}};
 }
 

@@ -1,5 +1,6 @@
 #include <continua/network/vessel.h>
 
+#include <continua/base/six_digits.h>
 #include <continua/network/neo_hookean_wall.h>
 #include <continua/network/square_root_wall.h>
 
@@ -17,13 +18,20 @@ double square(const double x)
   return x * x;
 }
 
+constexpr const char *remedy_of_load =
+    "Lower the flow rates or the pressures at the terminals, or give a stiffer wall";
+
+VesselProblem as_fast_as_the_wave(const double position)
+{
+  return {position, "the liquid is as fast as the wave there", remedy_of_load};
+}
+
 /// How alike three second differences are [1]: 1 in a smooth wave, 0 at a jump.
 double likeness(const double before, const double of_cell, const double behind)
 {
   const double a = before * of_cell, b = of_cell * behind;
   if (!(a > 0. && b > 0.))
     return 0.;
-  // Squares of the largest and the smallest one would overflow less often than their ratio.
   const double sizes[] = {std::abs(before), std::abs(of_cell), std::abs(behind)};
   const double largest = std::max(std::max(sizes[0], sizes[1]), sizes[2]),
                smallest = std::min(std::min(sizes[0], sizes[1]), sizes[2]);
@@ -66,7 +74,7 @@ public:
 
   void rest(double pressure) override;
   double largest_step() const override;
-  void reconstruct() override;
+  bool reconstruct() override;
   void advance(double step, double share) override;
   VesselProblem problem() const override;
   double pressure(const End end, const double area) const override
@@ -77,6 +85,7 @@ public:
   {
     return wall_at(end).stiffness(area);
   }
+  double largest_pressure(const End end) const override { return wall_at(end).largest_pressure(); }
   double area_at(const End end, const double pressure, const double start) const override
   {
     return wall_at(end).area(pressure, start);
@@ -101,6 +110,7 @@ private:
     double mass_flux, before, behind;
   };
   std::vector<Jump> jumps;
+  VesselProblem of_faces; ///< of the last reconstruct()
 
   const Wall &wall_at(const End end) const
   {
@@ -115,7 +125,15 @@ private:
   {
     return 0.5 * liquid.density * liquid.momentum_correction * square(of_flow / of_area);
   }
+  /// With numbers that are none if there is no such state.
   FaceState face_state(const Wall &wall, double head, double of_flow, double near_area) const;
+  /// Whether the liquid is slower than the wave.
+  bool is_slow(const double of_area, const double of_flow, const double stiffness) const
+  {
+    return of_area > 0. && 2. * dynamic_pressure(of_area, of_flow) < of_area * stiffness;
+  }
+  /// Sets the states on the two faces of a cell with these differences over it.
+  bool set_faces_of(unsigned int cell, double head_difference, double flow_difference);
   /// The change of alpha Q^2/A + integral of A dp/rho from one state to another one.
   double flux_change(const Wall &wall, const FaceState &from, const FaceState &to) const;
   Jump jump_between(const Wall &wall, const FaceState &left, const FaceState &right) const;
@@ -201,12 +219,31 @@ typename VesselWithWall<Wall>::FaceState VesselWithWall<Wall>::face_state(
     if (std::abs(change) < tolerance * of_area)
       return {of_area, of_flow, head - 0.5 * factor / square(of_area), values.stiffness};
   }
-  // problem() finds it.
   return {std::nan(""), of_flow, std::nan(""), std::nan("")};
 }
 
 template <typename Wall>
-void VesselWithWall<Wall>::reconstruct()
+bool VesselWithWall<Wall>::set_faces_of(const unsigned int cell,
+                                        const double head_difference,
+                                        const double flow_difference)
+{
+  head_differences[cell] = head_difference;
+  flow_differences[cell] = flow_difference;
+  const auto at_face = [&](const unsigned int face, const double side)
+  {
+    return face_state(faces[face], heads[cell] + side * head_difference - weights[face],
+                      flow[cell] + side * flow_difference, area[cell]);
+  };
+  behind[cell] = at_face(cell, -0.5);
+  before[cell + 1] = at_face(cell + 1, 0.5);
+  for (const FaceState *const state : {&behind[cell], &before[cell + 1]})
+    if (!is_slow(state->area, state->flow, state->stiffness))
+      return false;
+  return true;
+}
+
+template <typename Wall>
+bool VesselWithWall<Wall>::reconstruct()
 {
   const unsigned int n = n_cells();
   for (unsigned int i = 0; i < n; ++i)
@@ -214,15 +251,24 @@ void VesselWithWall<Wall>::reconstruct()
                dynamic_pressure(area[i], flow[i]);
   set_differences(heads, head_differences);
   set_differences(flow, flow_differences);
+  of_faces = {};
   for (unsigned int i = 0; i < n; ++i)
-  {
-    const double head = 0.5 * head_differences[i], of_flow = 0.5 * flow_differences[i];
-    behind[i] = face_state(faces[i], heads[i] - head - weights[i], flow[i] - of_flow, area[i]);
-    before[i + 1] =
-        face_state(faces[i + 1], heads[i] + head - weights[i + 1], flow[i] + of_flow, area[i]);
-  }
+    // At a jump the slopes, each limited for itself, may together be beyond the speed of the wave.
+    if (!set_faces_of(i, head_differences[i], flow_differences[i]) && !set_faces_of(i, 0., 0.))
+    {
+      const bool at_start = !is_slow(behind[i].area, behind[i].flow, behind[i].stiffness);
+      const unsigned int face = at_start ? i : i + 1;
+      of_faces = faces[face].largest_pressure() > heads[i] - weights[face]
+                     ? as_fast_as_the_wave(face * cell_length())
+                     : VesselProblem{face * cell_length(),
+                                     "the head is above the largest pressure of the wall, " +
+                                         six_digits(faces[face].largest_pressure()) + " Pa",
+                                     remedy_of_load};
+      return false;
+    }
   of_end(End::start).trace = {behind.front().area, behind.front().flow};
   of_end(End::end).trace = {before.back().area, before.back().flow};
+  return true;
 }
 
 template <typename Wall>
@@ -301,16 +347,15 @@ VesselProblem VesselWithWall<Wall>::problem() const
   for (unsigned int i = 0; i < n_cells(); ++i)
   {
     const double z = (i + 0.5) * cell_length();
-    if (!(area[i] > 0.))
-      return {z, "the tube is closed there"};
-    const double stiffness = centres[i].stiffness(area[i]);
-    if (!(stiffness > 0.))
-      return {z, "the wall widens there without a further pressure"};
-    if (!(square(flow[i] / area[i]) * liquid.momentum_correction * liquid.density <
-          area[i] * stiffness))
-      return {z, "the liquid is as fast as the wave there"};
+    if (area[i] <= 0.)
+      return {
+          z, "the tube is closed there",
+          "Lower the flow rate that is drawn off, raise the initial pressure, or give a stiffer "
+          "wall"};
+    if (!is_slow(area[i], flow[i], centres[i].stiffness(area[i])))
+      return as_fast_as_the_wave(z);
   }
-  return {0., ""};
+  return of_faces;
 }
 } // namespace
 
@@ -329,11 +374,6 @@ double Vessel::height(const double z) const
 {
   return description.height_at_start +
          z / description.length * (description.height_at_end - description.height_at_start);
-}
-
-double Vessel::height(const End end) const
-{
-  return end == End::start ? description.height_at_start : description.height_at_end;
 }
 
 double Vessel::volume() const

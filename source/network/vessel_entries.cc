@@ -95,7 +95,10 @@ std::vector<VesselEntries> VesselEntries::read_table(const std::string &file)
     vessels[row].refuse =
         [table, row](const std::string &key, const std::string &problem, const std::string &remedy)
     {
-      const std::string column = key == "From" ? "from" : key == "To" ? "to" : "";
+      const std::string column = key == "From"   ? "from"
+                                 : key == "To"   ? "to"
+                                 : key == "Rise" ? "rise"
+                                                 : "";
       table->refuse(row, column.empty() ? table->find("name") : table->find(column), problem,
                     remedy);
     };

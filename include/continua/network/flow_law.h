@@ -24,8 +24,6 @@ struct FlowLaw
 
   /// The factor of -Q/A in the equation of momentum, 2 pi (zeta + 2) mu/rho [m^2/s].
   double friction() const { return 2. * pi * (profile_exponent + 2.) * viscosity / density; }
-  /// alpha of the profile [1].
-  static double correction_of(const double exponent) { return (exponent + 2.) / (exponent + 1.); }
   /// The difference between the two wave speeds over two [m/s], for A dp/dA = rho c^2 [Pa] and U
   /// [m/s]: the waves run with alpha U - speed and alpha U + speed.
   double relative_speed(const double density_times_speed_squared, const double velocity) const

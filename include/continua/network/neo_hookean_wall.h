@@ -34,6 +34,8 @@ public:
 
   /// A0 [m^2].
   double reference_area() const { return area_without_load; }
+  /// Of A to infinity [Pa]: no area has it.
+  double largest_pressure() const { return pressure_without_strain; }
   /// [Pa] at an area [m^2].
   double pressure(const double area) const
   {

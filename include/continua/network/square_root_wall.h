@@ -2,6 +2,7 @@
 #define continua_network_square_root_wall_h
 
 #include <cmath>
+#include <limits>
 
 namespace Continua
 {
@@ -34,6 +35,8 @@ public:
 
   /// A0 [m^2].
   double reference_area() const { return reference_root * reference_root; }
+  /// There is none [Pa].
+  double largest_pressure() const { return std::numeric_limits<double>::infinity(); }
   /// [Pa] at an area [m^2].
   double pressure(const double area) const
   {

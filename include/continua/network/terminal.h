@@ -50,7 +50,6 @@ public:
   double solve(bool at_end_of_step, double time, double step);
   /// After the second stage.
   void end_step();
-  double pressure_of_compliance() const { return compliance_pressure; } ///< [Pa]
 
 private:
   EndWave wave;
