@@ -23,6 +23,8 @@ using namespace dealii;
 namespace
 {
 constexpr const char *another_way = "use Analysis = transient";
+/// From here on a residual is worth a warning.
+constexpr double noted_residual = 1e-9;
 
 bool is_given(const BoundaryCondition &condition)
 {
@@ -84,11 +86,50 @@ void check_unit_load(const Case<dim> &input, ParameterSection root)
                     "the velocity along the normal is given at '" + name + "', not the pressure",
                     "Leave the entry out, and give that boundary the velocity or flow rate 1");
 }
+
+/// Refuses what belongs to a state that is not there.
+void check_states(const Problem &problem, ParameterSection root)
+{
+  for (const BoundaryCondition &condition : problem.conditions)
+  {
+    ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
+    if (condition.absorbing.has_mean_pressure)
+      section.refuse("Mean pressure",
+                     "a harmonic analysis has oscillations alone, and this is a state about which "
+                     "they go",
+                     std::string("Remove the entry, or ") + another_way);
+    if (condition.outlet && !condition.outlet->initial_states.empty())
+      section.refuse("Initial pressure", "a motion that goes on for ever has no initial state",
+                     std::string("Remove the entry, or ") + another_way);
+  }
+}
+
+/// Refuses a Phase of nothing.
+template <int dim>
+void check_phases(const Case<dim> &input, ParameterSection root, const bool has_body_force)
+{
+  const std::string &unit_load = input.harmonic.unit_load;
+  const auto check_one = [&](ParameterSection section, const bool is_loaded)
+  {
+    if (is_loaded || !section.given("Phase"))
+      return;
+    section.refuse("Phase",
+                   unit_load.empty()
+                       ? "there is no load here that could be ahead"
+                       : "the one load is that of Harmonic/Unit load at, '" + unit_load + "'",
+                   unit_load.empty() ? "Remove the entry, or give a load" : "Remove the entry");
+  };
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    check_one(root.subsection("Boundaries").subsection(condition.name),
+              unit_load.empty() ? is_given(condition) : condition.name == unit_load);
+  check_one(root.subsection("Body force"), unit_load.empty() && has_body_force);
+}
 } // namespace
 
 template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
+  check_states(input.problem, root);
   check_harmonic_body(input, root, another_way);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;
@@ -102,6 +143,7 @@ void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
             .refuse("", "a load of a harmonic analysis is an amplitude, and this one depends on t",
                     std::string("Give its amplitude, or ") + another_way);
     }
+  const bool has_body_force = is_loaded;
   for (const BoundaryCondition &condition : input.problem.conditions)
   {
     is_loaded = is_loaded || is_given(condition);
@@ -117,6 +159,7 @@ void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
     root.subsection("Boundaries")
         .refuse("", "no boundary has a load, and there is no body force, so that nothing moves",
                 "Give an amplitude, such as Pressure = 1 Pa, or set Harmonic/Unit load at");
+  check_phases(input, root, has_body_force);
   if (harmonic.frequencies.front() == 0.)
     check_rest(input, root);
   if (harmonic.response_tolerance > 0. &&
@@ -286,6 +329,12 @@ void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) co
 }
 
 template <int dim>
+std::string Harmonic<dim>::rows_kept() const
+{
+  return " The tables keep " + std::to_string(tables->recorded().size()) + " frequencies.";
+}
+
+template <int dim>
 void Harmonic<dim>::perform()
 {
   run.initialise();
@@ -311,9 +360,26 @@ void Harmonic<dim>::perform()
   }
   catch (const SingularMatrix &error)
   {
-    throw RunError(std::string(error.what()) +
-                   " The body can move freely at this frequency: it is that of a mode without "
-                   "damping. Give other frequencies, or a material with damping.");
+    throw RunError(error.what() +
+                   std::string(" The body can move freely at this frequency: it is that of a mode "
+                               "without damping. Give other frequencies, or a material with "
+                               "damping.") +
+                   rows_kept());
+  }
+  catch (const Interrupted &)
+  {
+    throw;
+  }
+  catch (const RunError &error)
+  {
+    throw RunError(error.what() + rows_kept());
+  }
+  if (system->largest_residual() > noted_residual)
+  {
+    std::ostringstream text;
+    text << "the solver leaves " << system->largest_residual()
+         << " of the largest force at a node: so many digits fewer are right";
+    run.log.warning(text.str());
   }
   tables->finish();
   WaveNumberTable<dim>(run, tables->recorded()).write();

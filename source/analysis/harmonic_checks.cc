@@ -1,5 +1,9 @@
 #include <continua/analysis/harmonic_checks.h>
 
+#include <continua/continuum/field_list.h>
+
+#include <string>
+
 namespace Continua
 {
 namespace
@@ -23,6 +27,27 @@ void check_conditions(const Problem &problem, ParameterSection root, const std::
                          remedy);
   }
 }
+
+/// Refuses what is no amplitude: numbers that are not linear in the motion.
+template <int dim>
+void check_probes(const Case<dim> &input, ParameterSection root, const std::string &remedy)
+{
+  for (const ProbeColumnName &column :
+       input.probes.expected_columns(field_names<dim>(input.problem)))
+  {
+    ParameterSection probe = root.subsection("Probes").subsection(column.probe);
+    if (probe.given("Sign changes"))
+      probe.refuse("Sign changes",
+                   "a position where a field changes its sign is not linear in the motion, so that "
+                   "it has no amplitude",
+                   "Remove the entry, or " + remedy);
+    if (column.field == "Q criterion" || column.field.find("magnitude") == 0)
+      probe.refuse("Fields",
+                   "'" + column.field +
+                       "' is not linear in the motion, so that it has no amplitude and no phase",
+                   "Ask for components, or " + remedy);
+  }
+}
 } // namespace
 
 template <int dim>
@@ -43,6 +68,7 @@ void check_harmonic_body(const Case<dim> &input, ParameterSection root, const st
                 "would make its matrix unsymmetric",
                 "Set Convection = none, or " + remedy);
   check_conditions(problem, root, remedy);
+  check_probes(input, root, remedy);
   ParameterSection initial_state = root.subsection("Initial state");
   for (const char *key : {"Velocity", "Displacement", "Pressure", "Type"})
     // A run in time of the same file may look for the mean of a periodic state.

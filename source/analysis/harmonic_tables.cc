@@ -11,6 +11,8 @@ namespace Continua
 {
 namespace
 {
+/// A station that moves by this part of another one stands still.
+constexpr double round_off = 1e-12;
 /// Of a plane model for a depth of 1 m.
 constexpr const char *unit_of_impedance = "Pa s/m^3";
 
@@ -102,7 +104,8 @@ void HarmonicTables<dim>::open()
     response = make("response.csv", names);
   names.clear();
   for (const End &end : ends)
-    add_names(end.name + ": impedance", unit_of_impedance, names);
+    add_names(end.name + (end.load >= 0 ? ": input impedance" : ": impedance of the outlet"),
+              unit_of_impedance, names);
   if (!names.empty())
     impedance = make("impedance.csv", names);
   names.clear();
@@ -136,7 +139,14 @@ void HarmonicTables<dim>::record(const double frequency,
   for (const Complex &value : values)
     add_numbers(value, row);
   for (const Ratio &ratio : ratios)
-    add_polar(values[ratio.column] / values[ratio.reference], of_ratios);
+  {
+    // To nothing, such as the displacement of a station that is held, there is no ratio.
+    const bool is_nothing =
+        std::abs(values[ratio.reference]) <= round_off * std::abs(values[ratio.column]);
+    add_polar(is_nothing ? Complex(undefined, undefined)
+                         : values[ratio.column] / values[ratio.reference],
+              of_ratios);
+  }
   if (response)
     response->row(row);
   if (transfer)
@@ -154,17 +164,20 @@ void HarmonicTables<dim>::record_impedances(const double frequency,
   for (const End &end : ends)
   {
     const Complex flow_rate = system.flow_rate(end.condition, solution);
-    // Without a flow there is none.
+    // Without a flow there is none, and the power of a tangential load is none of a pressure.
     Complex of_end(undefined, undefined);
-    if (flow_rate != 0. && end.load >= 0)
+    const BoundaryCondition &condition = run.input.problem.conditions[end.condition];
+    const bool has_pressure_alone = condition.tangential.is_zero();
+    if (flow_rate != 0. && end.load >= 0 && has_pressure_alone)
       of_end = 2. * system.power_of(loads[end.load].load, solution, total) / std::norm(flow_rate);
-    else if (flow_rate != 0.)
+    else if (flow_rate != 0. && end.load < 0)
       for (std::size_t port = 0; port < system.ports().size(); ++port)
         if (system.ports()[port] == end.condition)
           of_end = solution.port_pressures[port] / flow_rate;
     add_numbers(of_end, row);
     const auto &listed = run.input.harmonic.listed;
-    if (flow_rate == 0. || std::find(listed.begin(), listed.end(), frequency) == listed.end())
+    if (std::isnan(of_end.real()) ||
+        std::find(listed.begin(), listed.end(), frequency) == listed.end())
       continue;
     run.summary.add(
         {"impedance" + at_frequency(frequency), std::abs(of_end), unit_of_impedance, end.name});

@@ -231,7 +231,8 @@ void fit_tube_end(const AbsorbingEndParameters &asked,
     end.left_out = above;
 }
 
-/// In the frequency domain; tried at the ends of the range. Throws InputError.
+/// In the frequency domain; tried at all frequencies that are known before the run, which it then
+/// remembers. Throws InputError.
 EndImpedance exact_end(const EndImpedance &impedance,
                        const std::vector<double> &frequencies,
                        const ParameterSection &section)
@@ -240,12 +241,10 @@ EndImpedance exact_end(const EndImpedance &impedance,
     if (section.given(key))
       section.refuse(key, "in the frequency domain the impedance is exact, and nothing is fitted",
                      "Remove the entry");
-  std::set<double> tried;
   for (const double frequency : frequencies)
-    if (frequency > 0. && (tried.empty() || frequency == frequencies.back()))
+    if (frequency > 0.)
       try
       {
-        tried.insert(frequency);
         impedance({0., 2. * dealii::numbers::PI * frequency});
       }
       catch (const RunError &error)

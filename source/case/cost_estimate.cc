@@ -19,6 +19,8 @@ namespace
 constexpr double memory_of_program = 180e6;
 /// Bytes that an entry of a factor takes, with what the solver needs besides.
 constexpr double bytes_per_entry = 11.5;
+/// What an entry of a complex matrix takes, with the real matrices of which it is the sum.
+constexpr double bytes_per_harmonic_entry = 120.;
 /// The same of an unsymmetric one, while it is made.
 constexpr double bytes_per_unsymmetric_entry = 62.;
 /// Unknowns of a rank below which messages cost more than the rank computes.
@@ -93,15 +95,20 @@ double fill_of(const CostInput &input, const Bar &bar, const double n_unknowns)
   return both * pivots * std::min(0.6 * unknowns_per_layer, std::max(12., dissected));
 }
 
+/// Of the lower triangle.
+double entries_per_unknown(const CostInput &input)
+{
+  return input.dim == 2 ? 20. : 90.;
+}
+
 /// As make_symmetric_factor() chooses.
 bool takes_cholmod(const CostInput &input, const double n_unknowns)
 {
   const DirectSolver library = input.linear_solver.direct_solver;
   if (library != DirectSolver::automatic)
     return library == DirectSolver::cholmod;
-  // Entries of the lower triangle for each unknown.
-  const double entries = (input.dim == 2 ? 20. : 90.) * n_unknowns;
-  return input.n_ranks == 1 && !input.pivots &&
+  const double entries = entries_per_unknown(input) * n_unknowns;
+  return input.n_ranks == 1 && !input.pivots && !input.is_harmonic &&
          entries <= static_cast<double>(largest_simplicial_matrix);
 }
 
@@ -197,6 +204,15 @@ CostEstimate::CostEstimate(const CostInput &input)
       if (input.mesh_moves)
         solve_time += 1.5 * counts.corrections * microsecond * n_unknowns + 0.4 * factor_time;
     }
+  }
+  if (input.is_harmonic)
+  {
+    // Complex numbers have twice the bytes; all entries of the matrix are on each rank.
+    memory += size.n_factors * bytes_per_entry * factor_entries +
+              input.n_ranks * bytes_per_harmonic_entry * entries_per_unknown(input) * n_unknowns;
+    const double factor_time = 4. * 140. * nanosecond * factor_entries;
+    set_up_time = 5. * (is_plane ? 12. : 48.) * microsecond * n_unknowns;
+    solve_time = factor_time + 8. * nanosecond * factor_entries;
   }
   memory += input.n_ranks * memory_of_program;
   // The times are one more column, the start is one more row.

@@ -43,7 +43,6 @@ unsigned int ranks_on_this_machine(const MPI_Comm communicator)
   return n_ranks;
 }
 
-/// But for wave theory.
 /// Of a harmonic analysis as given; of one that chooses them by itself as many as usual.
 template <int dim>
 std::size_t n_frequencies_of(const Case<dim> &input)
@@ -52,6 +51,7 @@ std::size_t n_frequencies_of(const Case<dim> &input)
   return input.harmonic.frequencies.empty() ? n_usual : input.harmonic.frequencies.size();
 }
 
+/// But for wave theory.
 template <int dim>
 CostInput cost_of_fields(const Case<dim> &input)
 {
@@ -95,8 +95,10 @@ CostInput cost_of_fields(const Case<dim> &input)
     cost.n_steps = input.analysis.is_harmonic() ? n_frequencies_of(input)
                    : cost.to_rest               ? 1.
                                                 : solves_of_modes;
-    if (input.analysis.is_harmonic())
-      cost.n_factors = n_frequencies_of(input);
+    cost.is_harmonic = input.analysis.is_harmonic();
+    // One on each rank, of another frequency.
+    if (cost.is_harmonic)
+      cost.n_factors = std::min<std::size_t>(cost.n_ranks, n_frequencies_of(input));
   }
   return cost;
 }

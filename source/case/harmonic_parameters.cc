@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace Continua
@@ -18,6 +19,26 @@ enum class FrequencySpacing
   linear,
   logarithmic
 };
+
+/// Of sorted frequencies, as they are written where the range has one but for round-off. Refuses
+/// two of the list with one name.
+void remove_repetitions(const std::vector<double> &listed,
+                        std::vector<double> &frequencies,
+                        const ParameterSection &section)
+{
+  std::set<std::string> names;
+  for (const double frequency : std::set<double>(listed.begin(), listed.end()))
+    if (!names.insert(six_digits(frequency)).second)
+      section.refuse("Frequencies",
+                     "two of them are both " + six_digits(frequency) +
+                         " Hz in the names of quantities, which have six digits",
+                     "Give one of them, or both as a range");
+  for (double &frequency : frequencies)
+    for (const double written : listed)
+      if (nearly_equal(written, frequency))
+        frequency = written;
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+}
 } // namespace
 
 void HarmonicParameters::read(ParameterSection section)
@@ -31,7 +52,7 @@ void HarmonicParameters::read(ParameterSection section)
   if (frequencies.empty())
     section.require("Frequencies");
   std::sort(frequencies.begin(), frequencies.end());
-  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+  remove_repetitions(listed, frequencies, section);
   section.add("Field frequencies", field_frequencies, Dimensions::frequency,
               "Frequencies, of those above, at which the fields are written, as real and imaginary "
               "part. Empty: none.",

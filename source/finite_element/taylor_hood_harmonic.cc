@@ -1,11 +1,15 @@
 #include <continua/finite_element/taylor_hood_harmonic.h>
 
 #include <continua/base/input_error.h>
+#include <continua/linear_algebra/singular_matrix.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace Continua
 {
@@ -32,6 +36,42 @@ void join(const DistributedVector &real,
   values.resize(real.locally_owned_size());
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = {real.begin()[i], imaginary.begin()[i]};
+}
+
+/// "at 10 Hz", of a motion that grows or decays by its s.
+std::string at_this(const std::complex<double> s)
+{
+  std::ostringstream text;
+  if (s.real() == 0.)
+    text << "at " << s.imag() / (2. * numbers::PI) << " Hz";
+  else
+    text << "at s = " << s.real() << " + " << s.imag() << " i 1/s";
+  return text.str();
+}
+
+/// Infinite if one of them is no number.
+double
+largest_magnitude(const HarmonicNumbers &values, const std::size_t begin, const std::size_t end)
+{
+  double largest = 0.;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const double magnitude = std::abs(values[i]);
+    largest = std::isfinite(magnitude) ? std::max(largest, magnitude)
+                                       : std::numeric_limits<double>::infinity();
+    if (std::isinf(largest))
+      break;
+  }
+  return largest;
+}
+
+/// Infinite of what is no number, and of a size without a scale.
+double relative_size(const double size, const double scale)
+{
+  if (size == 0.)
+    return 0.;
+  const double relative = size / scale;
+  return std::isfinite(relative) ? relative : std::numeric_limits<double>::infinity();
 }
 
 bool is_given(const std::vector<Waveform> &waveforms)
@@ -91,6 +131,14 @@ TaylorHoodHarmonic<dim>::TaylorHoodHarmonic(const Space<dim> &space,
   factors = std::make_unique<HarmonicFactors>(matrix, owned, space.communicator);
   for (const unsigned int condition : port_model.conditions())
     port_flows.push_back(entries_not_zero(load_list.flow_of_velocities(condition)));
+  DistributedVector one = space.pressure_vector();
+  one = 1.;
+  for (unsigned int region = 0; region < operators.size(); ++region)
+  {
+    // Within the body a uniform pressure pushes nothing; what is left is at its surface.
+    products.multiply_gradient(region, velocity_work, one);
+    area_of_node = std::max(area_of_node, velocity_work.linfty_norm());
+  }
 }
 
 template <int dim>
@@ -305,10 +353,7 @@ std::complex<double> TaylorHoodHarmonic<dim>::sum(const Complex of_rank) const
 template <int dim>
 double TaylorHoodHarmonic<dim>::size_of(const std::vector<Complex> &values) const
 {
-  double largest = 0.;
-  for (const Complex &value : values)
-    largest = std::max(largest, std::abs(value));
-  return Utilities::MPI::max(largest, space.communicator);
+  return Utilities::MPI::max(largest_magnitude(values, 0, values.size()), space.communicator);
 }
 
 template <int dim>
@@ -372,50 +417,164 @@ TaylorHoodHarmonic<dim>::right_hand_sides(const Complex s, const std::vector<Har
 }
 
 template <int dim>
-void TaylorHoodHarmonic<dim>::solve_columns(std::vector<HarmonicFactors::Columns> &columns)
+double TaylorHoodHarmonic<dim>::subtract_left_side(const Complex s,
+                                                   const std::vector<Complex> &displacement,
+                                                   const std::vector<Complex> &pressure,
+                                                   const std::vector<Complex> &port_pressures,
+                                                   std::vector<Complex> &right)
+{
+  const std::size_t n = n_local_velocities();
+  const auto size_of_part =
+      [this](const std::vector<Complex> &values, const std::size_t begin, const std::size_t end)
+  { return Utilities::MPI::max(largest_magnitude(values, begin, end), space.communicator); };
+  std::vector<Complex> forces, dilatations;
+  apply(coefficients(s), displacement, pressure, forces, dilatations);
+  for (std::size_t port = 0; port < port_pressures.size(); ++port)
+    for (const auto &[index, value] : port_flows[port])
+      forces[index] += value * port_pressures[port];
+  // Before they cancel, the rows of what is held among them. Of a liquid without compression the
+  // dilatations of a node cancel in its row.
+  const double scale = std::max(size_of(forces), size_of_part(right, 0, n));
+  const double scale_of_dilatations =
+      std::max({area_of_node * size_of(displacement), size_of(dilatations),
+                size_of_part(right, n, right.size())});
+  restrict_rows(forces, dilatations);
+  for (std::size_t i = 0; i < right.size(); ++i)
+    right[i] -= i < n ? forces[i] : dilatations[i - n];
+  return std::max(relative_size(size_of_part(right, 0, n), scale),
+                  relative_size(size_of_part(right, n, right.size()), scale_of_dilatations));
+}
+
+template <int dim>
+bool TaylorHoodHarmonic<dim>::is_solved(const std::vector<double> &residuals,
+                                        const unsigned int correction)
 {
   constexpr unsigned int most_corrections = 2;
+  const auto largest = std::max_element(residuals.begin(), residuals.end());
+  if (largest == residuals.end())
+    return true;
+  if (*largest > tolerance && correction < most_corrections)
+    return false;
+  residual_of_all = std::max(residual_of_all, *largest);
+  if (*largest <= largest_accepted_residual)
+    return true;
+  std::ostringstream text;
+  text << at_this(factored[largest - residuals.begin()]) << " the solver leaves "
+       << (std::isfinite(*largest) ? std::to_string(*largest) + " of the largest force at a node"
+                                   : "values that are no numbers")
+       << ": the matrix is nearly singular there, or its entries are too different in size. Give "
+          "another frequency, or look for a modulus or a length in a wrong unit.";
+  throw RunError(text.str());
+}
+
+template <int dim>
+void TaylorHoodHarmonic<dim>::solve_columns(std::vector<HarmonicFactors::Columns> &columns)
+{
   const std::size_t n = n_local_velocities();
   const std::vector<HarmonicFactors::Columns> right = columns;
   factors->solve(columns);
-  for (unsigned int correction = 0; correction <= most_corrections; ++correction)
+  for (unsigned int correction = 0;; ++correction)
   {
-    double largest = 0.;
+    std::vector<double> sizes(columns.size(), 0.);
     std::vector<HarmonicFactors::Columns> residuals = right;
     for (std::size_t k = 0; k < columns.size(); ++k)
-    {
-      const HarmonicCoefficients at_s = coefficients(factored[k]);
       for (std::size_t c = 0; c < columns[k].size(); ++c)
       {
-        std::vector<Complex> displacement(columns[k][c].begin(), columns[k][c].begin() + n),
-            pressure(columns[k][c].begin() + n, columns[k][c].end()), forces, dilatations;
+        std::vector<Complex> displacement(columns[k][c].begin(), columns[k][c].begin() + n);
+        const std::vector<Complex> pressure(columns[k][c].begin() + n, columns[k][c].end());
         expand(displacement);
-        apply(at_s, displacement, pressure, forces, dilatations);
-        // Before they cancel, the rows of what is held among them.
-        const double scale = std::max(size_of(forces), size_of(right[k][c]));
-        restrict_rows(forces, dilatations);
-        double size = 0.;
-        for (std::size_t i = 0; i < residuals[k][c].size(); ++i)
-        {
-          residuals[k][c][i] -= i < n ? forces[i] : dilatations[i - n];
-          if (i < n)
-            size = std::max(size, std::abs(residuals[k][c][i]));
-        }
-        size = Utilities::MPI::max(size, space.communicator);
-        if (scale > 0.)
-          largest = std::max(largest, size / scale);
+        sizes[k] = std::max(
+            sizes[k], subtract_left_side(factored[k], displacement, pressure, {}, residuals[k][c]));
       }
-    }
-    if (largest <= tolerance || correction == most_corrections)
-    {
-      residual_of_all = std::max(residual_of_all, largest);
+    if (is_solved(sizes, correction))
       return;
-    }
     factors->solve(residuals);
     for (std::size_t k = 0; k < columns.size(); ++k)
       for (std::size_t c = 0; c < columns[k].size(); ++c)
         for (std::size_t i = 0; i < columns[k][c].size(); ++i)
           columns[k][c][i] += residuals[k][c][i];
+  }
+}
+
+template <int dim>
+double TaylorHoodHarmonic<dim>::residual_of_ports(const HarmonicLoad &load,
+                                                  const HarmonicSolution &solution,
+                                                  std::vector<Complex> &residuals) const
+{
+  const unsigned int n_ports = port_model.size();
+  const FullMatrix<Complex> impedance = port_model.impedances(solution.s);
+  std::vector<Complex> flows;
+  std::vector<double> sizes; // of the flows, before they cancel
+  for (unsigned int port = 0; port < n_ports; ++port)
+  {
+    flows.push_back(flow_of_port(port, solution.displacement, solution.s));
+    double size = 0.;
+    for (const auto &[index, value] : port_flows[port])
+      size += std::abs(value * solution.displacement[index]);
+    sizes.push_back(std::abs(solution.s) * sum(size).real());
+  }
+  residuals.assign(n_ports, 0.);
+  double largest = 0.;
+  for (unsigned int port = 0; port < n_ports; ++port)
+  {
+    const Complex given = load.ports.empty() ? 0. : load.ports[port];
+    double scale = std::abs(given);
+    if (port_model.is_free_flow(port))
+    {
+      residuals[port] = given + flows[port];
+      scale += sizes[port];
+    }
+    else
+    {
+      residuals[port] = given - solution.port_pressures[port];
+      scale += std::abs(solution.port_pressures[port]);
+      for (unsigned int other = 0; other < n_ports; ++other)
+      {
+        residuals[port] += impedance(port, other) * flows[other];
+        scale += std::abs(impedance(port, other)) * sizes[other];
+      }
+    }
+    largest = std::max(largest, relative_size(std::abs(residuals[port]), scale));
+  }
+  return largest;
+}
+
+template <int dim>
+void TaylorHoodHarmonic<dim>::correct(const std::vector<std::vector<HarmonicLoad>> &loads,
+                                      const std::vector<HarmonicFactors::Columns> &columns,
+                                      std::vector<std::vector<HarmonicSolution>> &solutions)
+{
+  for (unsigned int correction = 0;; ++correction)
+  {
+    std::vector<double> sizes(loads.size(), 0.);
+    std::vector<HarmonicFactors::Columns> residuals(loads.size());
+    std::vector<std::vector<HarmonicLoad>> of_ports(loads.size());
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      for (std::size_t l = 0; l < loads[k].size(); ++l)
+      {
+        const HarmonicSolution &solution = solutions[k][l];
+        std::vector<Complex> forces = loads[k][l].forces, dilatations(n_local_pressures());
+        forces.resize(n_local_velocities());
+        restrict_rows(forces, dilatations);
+        residuals[k].push_back(packed(forces, dilatations));
+        of_ports[k].emplace_back();
+        sizes[k] =
+            std::max({sizes[k],
+                      subtract_left_side(solution.s, solution.displacement, solution.pressure,
+                                         solution.port_pressures, residuals[k].back()),
+                      residual_of_ports(loads[k][l], solution, of_ports[k].back().ports)});
+      }
+    if (is_solved(sizes, correction))
+      return;
+    factors->solve(residuals);
+    for (std::size_t k = 0; k < loads.size(); ++k)
+    {
+      residuals[k].insert(residuals[k].end(), columns[k].begin() + loads[k].size(),
+                          columns[k].end());
+      const std::vector<HarmonicSolution> corrections = complete(k, of_ports[k], residuals[k]);
+      for (std::size_t l = 0; l < corrections.size(); ++l)
+        solutions[k][l].add(1., corrections[l]);
+    }
   }
 }
 
@@ -441,7 +600,18 @@ TaylorHoodHarmonic<dim>::complete(const std::size_t number,
     for (unsigned int i = 0; i < n_ports; ++i)
       flows(i, j) = flow_of_port(i, responses[j], s);
   }
-  port_model.set_responses(s, flows);
+  try
+  {
+    port_model.set_responses(s, flows);
+  }
+  catch (const SingularMatrix &error)
+  {
+    throw SingularMatrix(at_this(s) + ": " + error.what());
+  }
+  catch (const RunError &error)
+  {
+    throw RunError(at_this(s) + ": " + error.what());
+  }
 
   std::vector<HarmonicSolution> solutions;
   for (std::size_t l = 0; l < loads.size(); ++l)
@@ -485,15 +655,39 @@ TaylorHoodHarmonic<dim>::solve_in_use(const std::vector<std::vector<HarmonicLoad
   std::vector<std::vector<HarmonicSolution>> solutions;
   for (std::size_t k = 0; k < loads.size(); ++k)
     solutions.push_back(complete(k, loads[k], columns[k]));
+  // The body alone may be near a resonance that it has not with its ports.
+  if (port_model.size() > 0)
+    correct(loads, columns, solutions);
   return solutions;
+}
+
+template <int dim>
+void TaylorHoodHarmonic<dim>::make_factors(const std::vector<Complex> &all_s)
+{
+  std::vector<HarmonicCoefficients> of_batch;
+  of_batch.reserve(all_s.size());
+  for (const Complex s : all_s)
+    of_batch.push_back(coefficients(s));
+  factored.clear();
+  try
+  {
+    factors->factorize(of_batch);
+  }
+  catch (const SingularMatrix &error)
+  {
+    throw SingularMatrix(at_this(all_s[factors->failed()]) + ": " + error.what());
+  }
+  catch (const RunError &error)
+  {
+    throw RunError(at_this(all_s[factors->failed()]) + ": " + error.what());
+  }
+  factored = all_s;
 }
 
 template <int dim>
 void TaylorHoodHarmonic<dim>::factor(const Complex s)
 {
-  factored.clear();
-  factors->factorize({coefficients(s)});
-  factored = {s};
+  make_factors({s});
 }
 
 template <int dim>
@@ -515,16 +709,10 @@ void TaylorHoodHarmonic<dim>::solve_at(
   for (std::size_t first = 0; first < s.size(); first += n_at_a_time)
   {
     const std::size_t end = std::min(s.size(), first + n_at_a_time);
-    std::vector<HarmonicCoefficients> of_batch;
     std::vector<std::vector<HarmonicLoad>> loads;
     for (std::size_t k = first; k < end; ++k)
-    {
-      of_batch.push_back(coefficients(s[k]));
       loads.push_back(loads_at(k));
-    }
-    factored.clear();
-    factors->factorize(of_batch);
-    factored.assign(s.begin() + first, s.begin() + end);
+    make_factors({s.begin() + first, s.begin() + end});
     const std::vector<std::vector<HarmonicSolution>> solutions = solve_in_use(loads);
     for (std::size_t k = first; k < end; ++k)
       sink(k, loads[k - first], solutions[k - first]);

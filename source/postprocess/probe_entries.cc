@@ -639,8 +639,11 @@ void ProbeEntries<dim>::check_limits(const std::vector<BoundaryCondition> &condi
   if (!asks_for_forces())
     return;
   if (limits.is_modal)
-    section.refuse("Fields", "there is no field 'force': a shape of vibration has no step",
-                   "Leave it out, or integrate the stress over the Boundary");
+    section.refuse(
+        "Fields",
+        "there is no field 'force': it is what a step in time leaves at what is held, and a "
+        "shape of vibration or a motion in the frequency domain has no step",
+        "Leave it out, or integrate the stress over the Boundary");
   // Of boundaries beside an interface only what holds its first region counts.
   const std::set<unsigned int> of_regions =
       place == Place::interface ? request.region_ids : std::set<unsigned int>();

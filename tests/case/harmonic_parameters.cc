@@ -29,6 +29,15 @@ UNIT_TEST(harmonic_parameters)
   check::is_true("a field's frequency is one of them",
                  parameters.field_frequencies[0] == parameters.frequencies[3] &&
                      parameters.field_frequencies[1] == parameters.frequencies[5]);
+
+  ParameterFile repeated =
+      parameters_of("subsection Harmonic\nset Frequencies = 10 Hz\nset Lowest frequency = 1 Hz\n"
+                    "set Highest frequency = 1 kHz\nset Number of frequencies = 4\n"
+                    "set Spacing = logarithmic\nend\n");
+  HarmonicParameters once;
+  once.read(repeated.root().subsection("Harmonic"));
+  check::is_true("round-off makes no second frequency",
+                 once.frequencies.size() == 4 && once.frequencies[1] == 10.);
   parameters.read_phases(file.root(), {});
   check::relative("phase", parameters.body_force_phase, std::acos(-1.) / 2., 1e-15);
 }

@@ -1,7 +1,10 @@
 // Motion exp(s t) obeys the equations of the body with those of its outlets, at hanging nodes, with
 // prescribed velocities, for any s and on any number of ranks; the determinant is that of these
-// equations.
+// equations. Products and matrix share the coefficients and the impedances of the ports, so that
+// their values are not tested here, but by the closed forms of tests/tiny_runs/harmonic_*.
 
+#include <continua/base/input_error.h>
+#include <continua/base/undefined.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/finite_element/taylor_hood.h>
@@ -124,8 +127,8 @@ Complex log_determinant(Body &tested, const Complex s)
       rows.push_back(i);
   const unsigned int n_free = rows.size(), n_u = is_free.size();
   HarmonicSolution one;
-  one.port_pressures.resize(1);
-  std::vector<Numbers> columns;
+  one.port_pressures.resize(system.ports().size());
+  std::vector<Numbers> columns, flows;
   const auto add = [&]()
   {
     Numbers forces, dilatations, column;
@@ -133,8 +136,27 @@ Complex log_determinant(Body &tested, const Complex s)
     for (const unsigned int row : rows)
       column.push_back(forces[row]);
     column.insert(column.end(), dilatations.begin(), dilatations.end());
+    // What moves through a port is the transpose of the force of its pressure.
+    for (const Numbers &flow : flows)
+    {
+      Complex through = 0.;
+      for (unsigned int i = 0; i < flow.size() && !one.displacement.empty(); ++i)
+        through += flow[i] * one.displacement[i];
+      column.push_back(through);
+    }
     columns.push_back(column);
   };
+  one.displacement.assign(n_u, 0.);
+  one.pressure.assign(system.n_local_pressures(), 0.);
+  for (unsigned int port = 0; port < system.ports().size(); ++port)
+    if (tested.problem.conditions[system.ports()[port]].free_flow)
+    {
+      Numbers forces, dilatations;
+      one.port_pressures[port] = 1.;
+      system.multiply(s, one, forces, dilatations);
+      one.port_pressures[port] = 0.;
+      flows.push_back(forces);
+    }
   one.pressure.assign(system.n_local_pressures(), 0.);
   for (const unsigned int row : rows)
   {
@@ -149,6 +171,14 @@ Complex log_determinant(Body &tested, const Complex s)
     one.pressure[k] = 1.;
     add();
   }
+  one.pressure.assign(system.n_local_pressures(), 0.);
+  for (unsigned int port = 0; port < system.ports().size(); ++port)
+    if (tested.problem.conditions[system.ports()[port]].free_flow)
+    {
+      one.port_pressures[port] = 1.;
+      add();
+      one.port_pressures[port] = 0.;
+    }
   // Hanging pressures have no equation.
   std::vector<unsigned int> kept;
   for (unsigned int k = 0; k < columns.size(); ++k)
@@ -170,11 +200,16 @@ UNIT_TEST(taylor_hood_harmonic)
     std::cout.setstate(std::ios::failbit); // rank 0 alone prints
   const std::vector<Complex> all_s = {{0., 0.3}, {0., 7.}, {0.4, 2.}, {1.5, 0.}};
 
+  const std::string free_flow_rate =
+      "set Region = liquid\nset Type = flow rate\nset Profile = free\nset Flow rate = 2\nend\n"
+      "subsection left of the wall\nset Boundary = left\nset Region = wall\nset Type = fixed";
   for (const std::string &left :
        {std::string("set Type = pressure\nset Pressure = 2\nset Tangential = fixed"),
-        std::string("set Type = velocity\nset Velocity = 0.5, 0")})
+        std::string("set Type = velocity\nset Velocity = 0.5, 0"), free_flow_rate})
   {
-    const std::string name = left.find("pressure") != std::string::npos ? "pressure" : "velocity";
+    const std::string name = left == free_flow_rate                          ? "flow rate"
+                             : left.find("pressure") != std::string::npos ? "pressure"
+                                                                             : "velocity";
     Body tested(left);
     const HarmonicLoad load = all_loads(tested);
     HarmonicLoad twice;
@@ -201,6 +236,12 @@ UNIT_TEST(taylor_hood_harmonic)
     check::absolute(name + ": the equations", largest, 0., 1e-12);
     check::absolute(name + ": twice the load, a quarter of a period ahead", difference, 0., 1e-13);
     check::absolute(name + ": mean powers", imbalance, 0., 1e-12);
+
+    HarmonicLoad no_number = load;
+    no_number.forces.assign(tested.system->n_local_velocities(), undefined);
+    check::throws<RunError>(
+        name + ": what is no number is no solution", [&] { tested.system->solve({no_number}); },
+        "at s = 1.5 \\+ 0 i 1/s the solver leaves values that are no numbers");
 
     double side_by_side = 0.;
     std::size_t n_seen = 0;

@@ -48,6 +48,8 @@ private:
   /// At as many as the responses of the probes need; then the frequencies are these, too.
   void solve_refined_range();
   void write_interpolated(const FrequencyRefinement &refinement) const;
+  /// For an error: what was computed before it.
+  std::string rows_kept() const;
   /// Of one frequency, by its number.
   void record(std::size_t number, const HarmonicSolution &solution);
 };

@@ -31,7 +31,9 @@ struct CostInput
   LinearSolverParameters linear_solver;
   double memory_limit = 1e300; ///< for the choice of the solver, on one machine [bytes]
   unsigned int n_factors = 1;  ///< kept at one time
-  double n_steps = 1.;         ///< solves of the step's system
+  /// Each solve has a factor of its own, of a complex matrix that each rank holds as a whole.
+  bool is_harmonic = false;
+  double n_steps = 1.; ///< solves of the step's system
   /// The run looks for a state at rest: where it is not linear by some steps, which are not
   /// n_steps.
   bool to_rest = false;

@@ -24,7 +24,9 @@ namespace Continua
 /**
  * Motion exp(s t) of the Taylor-Hood discretisation. The body without the pressures of its ports is
  * factored; the responses to these are further right-hand sides of the same factor. A solution
- * whose residual is above `tolerance` is corrected with the factor, twice at most.
+ * whose residual is above `tolerance` is corrected with the factor, twice at most, and so is the
+ * whole with its ports. What is above `largest_accepted_residual` then, or is no number, is a
+ * RunError.
  */
 template <int dim>
 class TaylorHoodHarmonic : public HarmonicSystem<dim>
@@ -34,6 +36,7 @@ public:
   /// Of the residual, of the largest force at a node. Where a thin wall is much stiffer than what
   /// is around, the forces within it cancel, and round-off leaves no less.
   static constexpr double tolerance = 1e-9;
+  static constexpr double largest_accepted_residual = 1e-6;
 
   /// All must outlive it.
   TaylorHoodHarmonic(const Space<dim> &space,
@@ -98,6 +101,7 @@ private:
   std::vector<Sparse> port_flows; ///< q [m^2]
   std::vector<Complex> factored;  ///< the s of the factors
   double residual_of_all = 0.;
+  double area_of_node = 0.; ///< the largest at a surface, a measure of the entries of B [m^2]
   const DistributedVector zero_velocity;
   DistributedVector velocity_work;
   DistributedVector pressure_work;
@@ -118,6 +122,28 @@ private:
                               const std::vector<Complex> &pressures) const;
   /// Largest magnitude over all ranks.
   double size_of(const std::vector<Complex> &values) const;
+  /// Sets the factors in use. Throws with the frequency.
+  void make_factors(const std::vector<Complex> &all_s);
+  /// Takes the left sides off the right ones, with ports where pressures are given; returns what is
+  /// left: the larger of the forces over the largest force at a node, and of the dilatations over
+  /// the largest displacement times the area of a node. Infinite of what is no number.
+  double subtract_left_side(Complex s,
+                            const std::vector<Complex> &displacement,
+                            const std::vector<Complex> &pressure,
+                            const std::vector<Complex> &port_pressures,
+                            std::vector<Complex> &right);
+  /// Whether no further correction is wanted, with the residuals by factor in use. Throws RunError
+  /// if the last one leaves too much.
+  bool is_solved(const std::vector<double> &residuals, unsigned int correction);
+  /// What the equations of the ports leave, as loads of ports that would mend it; returns the
+  /// largest one, relative.
+  double residual_of_ports(const HarmonicLoad &load,
+                           const HarmonicSolution &solution,
+                           std::vector<Complex> &residuals) const;
+  /// Corrects solutions with their ports; `columns`: those of loads and ports.
+  void correct(const std::vector<std::vector<HarmonicLoad>> &loads,
+               const std::vector<HarmonicFactors::Columns> &columns,
+               std::vector<std::vector<HarmonicSolution>> &solutions);
   /// Solves and corrects the columns of the factors in use.
   void solve_columns(std::vector<HarmonicFactors::Columns> &columns);
   /// `number`: of a factor in use.

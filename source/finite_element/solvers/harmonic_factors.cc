@@ -4,6 +4,7 @@
 #include <continua/linear_algebra/singular_matrix.h>
 
 #include <array>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -36,7 +37,7 @@ void HarmonicFactors::factorize(const std::vector<HarmonicCoefficients> &coeffic
   enum Status
   {
     fine,
-    failed,
+    failure,
     singular
   };
   int status = fine;
@@ -58,18 +59,33 @@ void HarmonicFactors::factorize(const std::vector<HarmonicCoefficients> &coeffic
     }
     catch (const RunError &error)
     {
-      status = failed;
+      status = failure;
       text = error.what();
     }
+    catch (const std::bad_alloc &)
+    {
+      status = failure;
+      text = "there is not enough memory for the factor of this rank. Use fewer ranks, each of "
+             "which has a whole factor, or a coarser mesh.";
+    }
+  const int own_status = status;
   MPI_Allreduce(MPI_IN_PLACE, &status, 1, MPI_INT, MPI_MAX, communicator);
+  // The first of those that met the worst, with its text on all ranks.
+  first_failed = status != fine && own_status == status ? rank : n_ranks;
+  MPI_Allreduce(MPI_IN_PLACE, &first_failed, 1, MPI_INT, MPI_MIN, communicator);
+  if (status != fine)
+  {
+    int length = static_cast<int>(text.size());
+    MPI_Bcast(&length, 1, MPI_INT, first_failed, communicator);
+    text.resize(length);
+    MPI_Bcast(text.data(), length, MPI_CHAR, first_failed, communicator);
+  }
   MPI_Allreduce(MPI_IN_PLACE, size.data(), 2, MPI_DOUBLE, MPI_SUM, communicator);
   bytes = size[0];
   entries = size[1];
-  if (text.empty())
-    text = "the factor of another frequency could not be made.";
   if (status == singular)
     throw SingularMatrix(text);
-  if (status == failed)
+  if (status == failure)
     throw RunError(text);
 }
 

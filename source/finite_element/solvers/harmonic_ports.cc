@@ -79,6 +79,10 @@ void HarmonicPorts::set_responses(const Complex s, const FullMatrix<Complex> &re
         inverse(i, j) = responses(i, j);
     }
   logarithm = invert(inverse);
+  // A row of a free flow rate is that of the displacements, whose response is H over s.
+  for (unsigned int i = 0; i < n; ++i)
+    if (is_free_flow(i))
+      logarithm -= std::log(s);
 }
 
 std::vector<std::complex<double>> HarmonicPorts::pressures(const std::vector<Complex> &flow_rates,

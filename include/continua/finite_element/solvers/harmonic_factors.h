@@ -31,6 +31,8 @@ public:
   /// Makes the factor of the k-th coefficients on rank k. Throws RunError, of a matrix without an
   /// inverse SingularMatrix. Collective.
   void factorize(const std::vector<HarmonicCoefficients> &coefficients);
+  /// The number of the coefficients whose factor the last factorize() could not make, if it threw.
+  unsigned int failed() const { return first_failed; }
   /// Of the k-th factor the k-th right-hand sides become the solutions. Collective.
   void solve(std::vector<Columns> &columns);
   /// Of the k-th factor, on all ranks. Collective.
@@ -42,7 +44,7 @@ public:
 private:
   const HarmonicMatrix &matrix;
   const MPI_Comm communicator;
-  int rank = 0, n_ranks = 1;
+  int rank = 0, n_ranks = 1, first_failed = 0;
   std::vector<int> n_owned_by_rank, starts_by_rank; ///< in `owned_of_all`
   std::vector<int> owned_of_all;                    ///< rank by rank
   MumpsSolver<Complex> solver;

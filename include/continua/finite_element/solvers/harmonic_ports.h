@@ -38,7 +38,8 @@ public:
   /// P of Q_0; `given`: pressures behind, and flow rates into the body.
   std::vector<Complex> pressures(const std::vector<Complex> &flow_rates,
                                  const std::vector<Complex> &given) const;
-  /// By which the ports multiply the determinant of the body alone.
+  /// By which the ports multiply the determinant of the body alone, the equation of a free flow
+  /// rate being that of the displacement, int u . n = given/s.
   Complex log_determinant() const { return logarithm; }
 
 private:
