@@ -88,10 +88,10 @@ std::vector<std::string> NonlinearWaveTheory::outline() const
   unsigned int n_cells = 0;
   for (const VesselEntries &vessel : parameters.vessels)
     n_cells += parameters.n_cells(vessel);
-  lines.push_back("network: " + std::to_string(parameters.vessels.size()) + " vessels, " +
-                  std::to_string(parameters.nodes.size()) + " nodes, " +
-                  std::to_string(parameters.terminals.size()) + " terminals, " +
-                  std::to_string(n_cells) + " cells");
+  lines.push_back("network: vessels " + std::to_string(parameters.vessels.size()) + ", nodes " +
+                  std::to_string(parameters.nodes.size()) + ", terminals " +
+                  std::to_string(parameters.terminals.size()) + ", cells " +
+                  std::to_string(n_cells));
   lines.push_back(parameters.period > 0.
                       ? "beats of " + six_digits(parameters.period) + " s, at most " +
                             std::to_string(parameters.most_beats)
