@@ -251,7 +251,7 @@ std::vector<Complex> PeriodicResponse<dim>::means(const std::vector<double> &ran
   }
   throw RunError("the mean of '" + worst + "' is not known: it differs by " +
                  shortest_number(least) +
-                 " of its range where the load grows more slowly, and Periodic "
+                 " of its range or its mean where the loads grow faster, and Periodic "
                  "response/Tolerance is " +
                  shortest_number(run.input.periodic_response.tolerance) +
                  ". A body that the mean of its loads moves or fills in every period has no "
