@@ -1,6 +1,7 @@
 #include <continua/analysis/periodic_response.h>
 
 #include <continua/analysis/beat_columns.h>
+#include <continua/analysis/free_motions.h>
 #include <continua/analysis/harmonic_checks.h>
 #include <continua/analysis/harmonic_tables.h>
 #include <continua/base/input_error.h>
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <sstream>
 
 namespace Continua
@@ -29,11 +32,81 @@ using Complex = std::complex<double>;
 /// Times over a period at which loads are taken, for each harmonic that there may be.
 constexpr std::size_t samples_for_a_harmonic = 8;
 constexpr std::size_t least_samples = 1024;
-/// The mean is that of loads which have grown with exp(s t) since ever, s being this part of the
-/// angular frequency of the period. Twice this s takes the first order of it off.
-constexpr double growth_of_mean = 1e-4;
+/// The mean is that of loads which have grown with exp(s t) since ever, s being at most this part
+/// of the angular frequency of the period, and of the rate of the slowest relaxation. Twice this s
+/// takes the first order of it off.
+constexpr double growth_of_mean = 1e-4, growth_over_rate = 1e-3;
+/// By which s falls where two means differ, and how often.
+constexpr double fall_of_growth = 0.1;
+constexpr unsigned int most_falls = 5;
+/// Of the largest quantity of the same unit, below which a difference of means may be round-off.
+constexpr double round_off_of_mean = 1e-7;
 /// A load whose mean is below this part of its largest value has none.
 constexpr double no_mean = 1e-9;
+
+/// The longest time [s] in which a stress or a windkessel comes to rest; 0: none.
+double longest_relaxation(const Problem &problem)
+{
+  double longest = 0.;
+  const auto take = [&longest](const double time)
+  {
+    if (std::isfinite(time))
+      longest = std::max(longest, time);
+  };
+  for (const Material &material : problem.materials)
+  {
+    for (const Branch &branch : material.shear.branches)
+      take(branch.relaxation_time);
+    for (const BulkBranch &branch : material.compression.bulk_branches())
+      take(branch.relaxation_time);
+  }
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.outlet)
+      for (const Impedance::Term &term : condition.outlet->impedance.terms)
+        if (term.rate > 0.)
+          take(1. / term.rate);
+  return longest;
+}
+
+/// Whether it has a mean wherever it acts. What depends on place and time is known by its samples
+/// alone.
+bool has_mean_everywhere(const Waveform &load, const PeriodicStateParameters &beats)
+{
+  if (load.is_zero() || (load.depends_on_time() && load.depends_on_space()))
+    return false;
+  if (!load.depends_on_time())
+    return true;
+  const double origin[3] = {0., 0., 0.};
+  double sum = 0., largest = 0.;
+  for (std::size_t j = 0; j < least_samples; ++j)
+  {
+    const double value =
+        load(origin, (beats.first_of_loads + (j + 0.5) / least_samples) * beats.period);
+    sum += value / least_samples;
+    largest = std::max(largest, std::abs(value));
+  }
+  return std::abs(sum) > no_mean * largest;
+}
+
+bool loads_have_mean(const Problem &problem, const PeriodicStateParameters &beats)
+{
+  std::vector<Waveform> all = problem.interior.body_force;
+  all.insert(all.end(), problem.interior.acceleration.begin(), problem.interior.acceleration.end());
+  for (const BoundaryCondition &condition : problem.conditions)
+  {
+    for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
+    {
+      all.insert(all.end(), part->vector.begin(), part->vector.end());
+      all.push_back(part->along_normal);
+    }
+    if (condition.free_flow)
+      all.push_back(condition.free_flow->rate);
+    if (condition.outlet)
+      all.push_back(condition.outlet->pressure_behind);
+  }
+  return std::any_of(all.begin(), all.end(),
+                     [&beats](const Waveform &load) { return has_mean_everywhere(load, beats); });
+}
 } // namespace
 
 template <int dim>
@@ -46,6 +119,10 @@ void PeriodicResponse<dim>::check(const Case<dim> &input, ParameterSection root)
           .subsection(condition.name)
           .refuse("Type", "the mean of a periodic state is no wave that leaves an absorbing end",
                   "Use 'resistance' or 'windkessel', or Analysis = transient");
+  if (loads_have_mean(input.problem, input.periodic_state))
+    refuse_free_motions(input, root,
+                        ", so that the mean of the loads moves it further in every period",
+                        "; or take the mean off the loads");
 }
 
 template <int dim>
@@ -59,6 +136,7 @@ void PeriodicResponse<dim>::name_quantities(const Case<dim> &input, QuantityName
         names.add(beat_quantity_name(of_beat, column.field), column.label());
   names.add("harmonics");
   names.add("largest change by further harmonics");
+  names.add("largest difference of the means");
 }
 
 template <int dim>
@@ -66,8 +144,7 @@ void PeriodicResponse<dim>::take_loads()
 {
   const PeriodicStateParameters &beats = run.input.periodic_state;
   const std::size_t n = next_power_of_two(
-      std::max(least_samples,
-               samples_for_a_harmonic * run.input.periodic_response.most_harmonics));
+      std::max(least_samples, samples_for_a_harmonic * run.input.periodic_response.most_harmonics));
   std::vector<double> times;
   // In the middle of the intervals, since a table may jump where a period ends.
   for (std::size_t j = 0; j < n; ++j)
@@ -113,26 +190,82 @@ HarmonicLoad PeriodicResponse<dim>::load_of(const unsigned int harmonic) const
 }
 
 template <int dim>
-std::vector<Complex> PeriodicResponse<dim>::means()
+std::vector<Complex> PeriodicResponse<dim>::means(const std::vector<double> &ranges)
 {
   const HarmonicLoad load = load_of(0);
   const bool has_mean = std::any_of(spectra.begin(), spectra.end(),
                                     [](const std::vector<Complex> &row) { return row[0] != 0.; });
   if (!has_mean)
     return std::vector<Complex>(run.input.probes.n_columns());
-  std::vector<Complex> result;
-  for (const double part : {1., 2.})
+  Probes<dim> &probes = run.input.probes;
+  const double slowest = longest_relaxation(run.input.problem);
+  double s = growth_of_mean * 2. * numbers::PI / run.input.periodic_state.period;
+  if (slowest > 0.)
+    s = std::min(s, growth_over_rate / slowest);
+  const auto values_at = [&](const double growth)
   {
-    const double s = part * growth_of_mean * 2. * numbers::PI / run.input.periodic_state.period;
-    system->factor(s);
-    const std::vector<Complex> values =
-        probe_values(*system, run.input.probes, system->solve({load})[0]);
-    if (result.empty())
-      result.assign(values.size(), 0.);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      result[i] += (part == 1. ? 2. : -1.) * values[i].real();
+    system->factor(growth);
+    return probe_values(*system, probes, system->solve({load})[0]);
+  };
+  // Of two means without their first order the difference is three times the error of the second.
+  double least = std::numeric_limits<double>::infinity();
+  std::string worst;
+  for (unsigned int fall = 0; fall <= most_falls; ++fall, s *= fall_of_growth)
+  {
+    const std::vector<Complex> near = values_at(s), middle = values_at(2. * s),
+                               far = values_at(4. * s);
+    std::vector<Complex> result;
+    std::map<std::string, double> largest;
+    for (unsigned int i = 0; i < near.size(); ++i)
+    {
+      result.emplace_back(2. * near[i].real() - middle[i].real());
+      double &of_unit = largest[probes.unit_of(i)];
+      of_unit = std::max({of_unit, std::abs(result[i].real()), ranges[i]});
+    }
+    double difference = 0.;
+    std::string place;
+    for (unsigned int i = 0; i < near.size(); ++i)
+    {
+      const double other = 2. * middle[i].real() - far[i].real();
+      const double scale = std::max(
+          {std::abs(result[i].real()), ranges[i], round_off_of_mean * largest[probes.unit_of(i)]});
+      const double part =
+          scale > 0. ? std::abs(result[i].real() - other) / scale
+                     : (std::isfinite(other) ? 0. : std::numeric_limits<double>::infinity());
+      if (is_compared(i) && !(part <= difference))
+      {
+        difference = std::isfinite(part) ? part : std::numeric_limits<double>::max();
+        place = probes.name_of(i).label();
+      }
+    }
+    if (difference <= run.input.periodic_response.tolerance)
+    {
+      difference_of_means = difference;
+      return result;
+    }
+    if (difference < least)
+    {
+      least = difference;
+      worst = place;
+    }
   }
-  return result;
+  throw RunError("the mean of '" + worst + "' is not known: it differs by " +
+                 shortest_number(least) +
+                 " of its range or its mean where the loads grow faster, and Periodic "
+                 "response/Tolerance is " +
+                 shortest_number(run.input.periodic_response.tolerance) +
+                 ". A body that the mean of its loads moves or fills in every period has no "
+                 "periodic state: give the liquid a way out and hold the solid, or compare other "
+                 "probes.");
+}
+
+template <int dim>
+bool PeriodicResponse<dim>::is_compared(const unsigned int column) const
+{
+  const std::vector<std::string> &names = run.input.periodic_state.probes;
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string &text)
+                     { return run.input.probes.name_of(column).is_meant_by(text); });
 }
 
 template <int dim>
@@ -141,8 +274,6 @@ std::vector<Complex> PeriodicResponse<dim>::amplitudes(const unsigned int harmon
   SignalWatch::stop_if_asked(run.input.communicator,
                              "before harmonic " + std::to_string(harmonic) +
                                  "; a periodic response begins anew, with --overwrite");
-  if (harmonic == 0)
-    return means();
   const double frequency = harmonic / run.input.periodic_state.period;
   try
   {
@@ -176,8 +307,7 @@ void PeriodicResponse<dim>::write_history(const PeriodicSeries &series)
   for (unsigned int column = 0; column < input.probes.n_columns(); ++column)
   {
     const ProbeColumnName name = input.probes.name_of(column);
-    const BeatValues values =
-        beat_values(input.probes.times(), input.probes.values(column), n, 1);
+    const BeatValues values = beat_values(input.probes.times(), input.probes.values(column), n, 1);
     for (const BeatColumn &of_beat : beat_columns())
       if (of_beat.member != &BeatValues::difference)
       {
@@ -239,15 +369,34 @@ void PeriodicResponse<dim>::perform()
   options.load = load_sizes;
   options.least_harmonics = std::min(options.least_harmonics, options.most_harmonics);
   for (unsigned int column = 0; column < input.probes.n_columns(); ++column)
-    options.is_compared.push_back(std::any_of(
-        input.periodic_state.probes.begin(), input.periodic_state.probes.end(),
-        [&](const std::string &text) { return input.probes.name_of(column).is_meant_by(text); }));
+    options.is_compared.push_back(is_compared(column));
   std::unique_ptr<PeriodicSeries> series;
   {
     SectionTimer::Scope scope(run.log.timer(), "harmonics");
-    series = std::make_unique<PeriodicSeries>(
-        input.periodic_state.period,
-        [this](const unsigned int harmonic) { return amplitudes(harmonic); }, options);
+    // The mean is known well enough by the range about it.
+    std::vector<std::vector<Complex>> known = {std::vector<Complex>(input.probes.n_columns())};
+    const auto harmonic = [&](const unsigned int number)
+    {
+      if (number == known.size())
+        known.push_back(amplitudes(number));
+      return known[number];
+    };
+    series = std::make_unique<PeriodicSeries>(input.periodic_state.period, harmonic, options);
+    std::vector<double> ranges;
+    for (unsigned int column = 0; column < input.probes.n_columns(); ++column)
+    {
+      double least = series->value(column, 0.), most = least;
+      for (std::size_t j = 1; j < options.n_times; ++j)
+      {
+        const double value =
+            series->value(column, input.periodic_state.period * j / options.n_times);
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+      ranges.push_back(most - least);
+    }
+    known[0] = means(ranges);
+    series = std::make_unique<PeriodicSeries>(input.periodic_state.period, harmonic, options);
   }
   write_history(*series);
   write_harmonics(*series);
@@ -265,6 +414,7 @@ void PeriodicResponse<dim>::perform()
                     shortest_number(options.tolerance) + ": give more Most harmonics");
   run.summary.add({"harmonics", static_cast<double>(series->n_harmonics()), "1", ""});
   run.summary.add({"largest change by further harmonics", largest_change, "1", ""});
+  run.summary.add({"largest difference of the means", difference_of_means, "1", ""});
   run.citations.add("mumps");
   run.finish(0, input.periodic_state.period);
 }

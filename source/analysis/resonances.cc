@@ -6,6 +6,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/table_writer.h>
+#include <continua/base/undefined.h>
 #include <continua/frequency/winding_number.h>
 #include <continua/linear_algebra/singular_matrix.h>
 #include <continua/postprocess/field_writer.h>
@@ -93,8 +94,8 @@ void Resonances<dim>::name_quantities(const Case<dim> &, QuantityNames &names)
   names.add("resonances by winding");
   names.add("largest residual");
   for (unsigned int k = 1; k <= most_named; ++k)
-    for (const char *const what : {"frequency", "natural frequency", "damping ratio",
-                                   "quality factor"})
+    for (const char *const what :
+         {"frequency", "natural frequency", "damping ratio", "quality factor"})
       names.add("resonance " + std::to_string(k) + " " + what);
 }
 
@@ -139,8 +140,9 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
 {
   Case<dim> &input = run.input;
   std::vector<std::string> header = {
-      "resonance [1]",      "frequency [Hz]", "natural frequency [Hz]", "damping ratio [1]",
-      "quality factor [1]", "Re s [1/s]",     "Im s [1/s]",             "residual [1]"};
+      "resonance [1]",     "frequency [Hz]",     "natural frequency [Hz]",
+      "damping ratio [1]", "quality factor [1]", "Re s [1/s]",
+      "Im s [1/s]",        "residual [1]"};
   for (const std::string &name : input.probes.column_names())
     for (const char *const part : {"real ", "imaginary "})
       header.push_back(part + name);
@@ -157,11 +159,12 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
     Resonance &resonance = found[k];
     normalise(resonance.shape, input.communicator);
     largest_residual = std::max(largest_residual, resonance.residual);
+    const bool is_damped = std::abs(resonance.damping_ratio()) > least_damping_ratio;
     std::vector<double> row = {k + 1.,
                                resonance.frequency(),
                                resonance.natural_frequency(),
                                resonance.damping_ratio(),
-                               resonance.quality_factor(),
+                               is_damped ? resonance.quality_factor() : undefined,
                                resonance.s.real(),
                                resonance.s.imag(),
                                resonance.residual};
@@ -180,7 +183,6 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
       }
     std::ostringstream text;
     text.precision(5);
-    const bool is_damped = std::abs(resonance.damping_ratio()) > least_damping_ratio;
     text << "Resonance " << k + 1 << ": " << resonance.frequency() << " Hz, ";
     if (is_damped)
       text << "damping ratio " << resonance.damping_ratio() << ", quality factor "
@@ -236,9 +238,9 @@ void Resonances<dim>::count(const std::vector<Resonance> &found)
   const WindingNumber winding = winding_number(logarithm, band, most_evaluations);
   if (!winding.is_known)
   {
-    run.log.warning("the number of resonances was not found by the winding of the determinant, in " +
-                    std::to_string(winding.n_evaluations) +
-                    " factors: one may lie on the edge of the band");
+    run.log.warning(
+        "the number of resonances was not found by the winding of the determinant, in " +
+        std::to_string(winding.n_evaluations) + " factors: one may lie on the edge of the band");
     run.summary.add_absence("resonances by winding", "",
                             "the phase of the determinant was not followed round the band");
     return;
@@ -249,8 +251,7 @@ void Resonances<dim>::count(const std::vector<Resonance> &found)
   if (winding.number != static_cast<int>(found.size()))
     run.log.warning("the band has " + std::to_string(winding.number) +
                     " resonances by the winding of the determinant, and " +
-                    std::to_string(found.size()) +
-                    " were found: " +
+                    std::to_string(found.size()) + " were found: " +
                     (winding.number > static_cast<int>(found.size())
                          ? "some are missing, or are equal to others by symmetry. Give more "
                            "Resonances/Loads in a region, or a smaller Tolerance"

@@ -13,9 +13,9 @@ namespace Continua
 {
 /**
  * The state that a linear body under periodic loads reaches after many periods, without steps in
- * time: the sum of the responses to the harmonics of the loads, as many as the probes of the section
- * Periodic state need (PeriodicSeries). Harmonic 0 is the mean. probes.csv has the rows of a run in
- * time over one period, beats.csv its row of a settled beat, harmonics.csv the amplitudes.
+ * time: the sum of the responses to the harmonics of the loads, as many as the probes of the
+ * section Periodic state need (PeriodicSeries). Harmonic 0 is the mean. probes.csv has the rows of
+ * a run in time over one period, beats.csv its row of a settled beat, harmonics.csv the amplitudes.
  */
 template <int dim>
 class PeriodicResponse
@@ -35,13 +35,19 @@ private:
   std::unique_ptr<HarmonicSystem<dim>> system;
   std::unique_ptr<LoadSamples<dim>> loads;
   std::vector<std::vector<Complex>> spectra; ///< by shape of the loads, by harmonic
-  std::vector<double> load_sizes; ///< by harmonic: the sum over the shapes, each over its largest value
+  std::vector<double>
+      load_sizes; ///< by harmonic: the sum over the shapes, each over its largest value
 
   void take_loads();
   HarmonicLoad load_of(unsigned int harmonic) const;
-  /// Of each column of the probes.
+  /// Of two means of a compared probe, over its range or its mean [1].
+  double difference_of_means = 0.;
+
+  bool is_compared(unsigned int column) const;
+  /// Of each column of the probes, from harmonic 1.
   std::vector<Complex> amplitudes(unsigned int harmonic);
-  std::vector<Complex> means();
+  /// `ranges`: of each column over the period. Throws RunError for a mean that is not known.
+  std::vector<Complex> means(const std::vector<double> &ranges);
   void write_history(const PeriodicSeries &series);
   void write_harmonics(const PeriodicSeries &series);
 };
