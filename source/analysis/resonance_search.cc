@@ -221,9 +221,9 @@ std::vector<Complex> ResonanceSearch<dim>::find_candidates()
       Resonance candidate;
       candidate.s = pole;
       const double natural = candidate.natural_frequency();
-      const bool is_new =
-          std::none_of(candidates.begin(), candidates.end(), [&](const Complex &other)
-                       { return std::abs(pole - other) < 1e-3 * std::abs(pole); });
+      const bool is_new = std::none_of(candidates.begin(), candidates.end(),
+                                       [&](const Complex &other)
+                                       { return std::abs(pole - other) < 1e-3 * std::abs(pole); });
       // Poles right of the axis are those of noise, or of a resonance without damping.
       if (is_new && pole.imag() > 0. && natural > parameters.lowest / (1. + slack_of_candidates) &&
           natural < parameters.highest * (1. + slack_of_candidates) &&
@@ -297,9 +297,9 @@ bool ResonanceSearch<dim>::correct(Resonance &resonance, HarmonicLoad load)
     return false;
   HarmonicSolution left;
   system.multiply(resonance.s, resonance.shape, left.displacement, left.pressure);
-  resonance.residual = size(left.displacement) /
-                       (std::abs(resonance.s) *
-                        size(derivative(resonance.s, resonance.shape).displacement));
+  resonance.residual =
+      size(left.displacement) /
+      (std::abs(resonance.s) * size(derivative(resonance.s, resonance.shape).displacement));
   return resonance.residual < largest_residual;
 }
 
@@ -331,15 +331,15 @@ std::vector<Resonance> ResonanceSearch<dim>::find()
     const bool converged = correct(resonance, all);
     std::ostringstream text;
     text << "Candidate s = " << candidate.real() << " + " << candidate.imag() << " i 1/s: "
-         << (!converged                ? "no resonance"
+         << (!converged              ? "no resonance"
              : !is_sought(resonance) ? "a resonance that is not sought"
                                      : "a resonance")
          << " after " << resonance.corrections << " factors";
     log.detail(text.str());
-    const bool is_new =
-        std::none_of(found.begin(), found.end(), [&](const Resonance &other) {
-          return std::abs(resonance.s - other.s) < nearest_resonances * std::abs(other.s);
-        });
+    const bool is_new = std::none_of(
+        found.begin(), found.end(),
+        [&](const Resonance &other)
+        { return std::abs(resonance.s - other.s) < nearest_resonances * std::abs(other.s); });
     if (converged && is_sought(resonance) && is_new)
       found.push_back(resonance);
   }

@@ -76,10 +76,9 @@ WaveNumberTable<dim>::theory_of(const StationsProbe &probe) const
     std::vector<WaveMode> modes;
     std::vector<std::size_t> kept;
     for (std::size_t m = 0; m < curves.families().size(); ++m)
-      for (const auto &[family, name] :
-           {std::pair<ExactDispersion::Family, const char *>{ExactDispersion::pressure_wave,
-                                                             "pressure wave"},
-            {ExactDispersion::axial_wave, "axial wave"}})
+      for (const auto &[family, name] : {std::pair<ExactDispersion::Family, const char *>{
+                                             ExactDispersion::pressure_wave, "pressure wave"},
+                                         {ExactDispersion::axial_wave, "axial wave"}})
         if (curves.families()[m] == family)
         {
           kept.push_back(m);
@@ -193,15 +192,14 @@ void WaveNumberTable<dim>::add_quantities(const StationsProbe &probe,
     const std::string name = name_of_wave(n_waves, wave);
     if (wave < fitted.waves.size())
     {
-      run.summary.add({name + "speed" + of_frequency(frequency), fitted.waves[wave].speed, "m/s",
-                       probe.name});
+      run.summary.add(
+          {name + "speed" + of_frequency(frequency), fitted.waves[wave].speed, "m/s", probe.name});
       run.summary.add({name + "attenuation" + of_frequency(frequency),
                        fitted.waves[wave].attenuation, "1/m", probe.name});
     }
     else
       for (const char *const what : {"speed", "attenuation"})
-        run.summary.add_absence(name + what + of_frequency(frequency), probe.name,
-                                fitted.refusal);
+        run.summary.add_absence(name + what + of_frequency(frequency), probe.name, fitted.refusal);
   }
 }
 

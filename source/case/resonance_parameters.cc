@@ -31,7 +31,6 @@ void ResonanceParameters::read(ParameterSection section)
   for (const char *key : {"Lowest frequency", "Highest frequency"})
     section.require(key);
   if (lowest >= highest)
-    section.refuse("Lowest frequency", "it is not below the highest frequency",
-                   "Give a lower one");
+    section.refuse("Lowest frequency", "it is not below the highest frequency", "Give a lower one");
 }
 } // namespace Continua

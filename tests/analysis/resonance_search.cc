@@ -47,22 +47,24 @@ UNIT_TEST(resonance_search)
   {
     const Complex exact = root(system.stiffness[k]);
     check::absolute("s", std::abs(found[k].s - exact) / std::abs(exact), 0., 1e-9);
-    check::relative("damping ratio", found[k].damping_ratio(), -exact.real() / std::abs(exact), 1e-8);
-    check::relative("frequency", found[k].frequency(), exact.imag() / (2. * M_PI), 1e-8);
-    check::relative("natural frequency", found[k].natural_frequency(), std::abs(exact) / (2. * M_PI),
+    check::relative("damping ratio", found[k].damping_ratio(), -exact.real() / std::abs(exact),
                     1e-8);
+    check::relative("frequency", found[k].frequency(), exact.imag() / (2. * M_PI), 1e-8);
+    check::relative("natural frequency", found[k].natural_frequency(),
+                    std::abs(exact) / (2. * M_PI), 1e-8);
     check::relative("quality factor", found[k].quality_factor(),
                     -0.5 * std::abs(exact) / exact.real(), 1e-8);
     check::is_true("residual", found[k].residual < 1e-8 && found[k].corrections < 8);
   }
-  check::is_true("responses are known", search.responses_are_known() && search.n_frequencies() < 60);
+  check::is_true("responses are known",
+                 search.responses_are_known() && search.n_frequencies() < 60);
   // The power law has a branch cut: there are candidates that are none.
   check::is_true("candidates", search.n_candidates() >= 3);
 
   // What decays faster than it may is none.
   parameters.largest_damping_ratio = 0.5 * (found[0].damping_ratio() + found[1].damping_ratio());
   ResonanceSearch<2> narrow(system, parameters, {}, MPI_COMM_WORLD, log);
-  check::is_true("damping ratios", found[0].damping_ratio() < found[1].damping_ratio() &&
-                                       narrow.find().size() == 1);
+  check::is_true("damping ratios",
+                 found[0].damping_ratio() < found[1].damping_ratio() && narrow.find().size() == 1);
 }
 } // namespace test_of_resonance_search

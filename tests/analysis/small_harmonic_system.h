@@ -17,8 +17,8 @@ inline Complex modulus(const Complex s)
   return 1. + 0.05 * s + 0.2 * std::pow(s, 0.4);
 }
 
-/// Four masses of 1 kg on springs: (s^2 + modulus(s) Q diag(stiffness) Q^T) D = f with a reflection Q
-/// = 1 - 2 v v^T. Its resonances are those of each stiffness alone.
+/// Four masses of 1 kg on springs: (s^2 + modulus(s) Q diag(stiffness) Q^T) D = f with a reflection
+/// Q = 1 - 2 v v^T. Its resonances are those of each stiffness alone.
 class SmallHarmonicSystem : public HarmonicSystem<2>
 {
 public:
@@ -29,7 +29,10 @@ public:
   unsigned int n_local_velocities() const override { return n; }
   unsigned int n_local_pressures() const override { return 0; }
   unsigned long long n_unknowns() const override { return n; }
-  std::vector<std::vector<unsigned int>> velocity_nodes() const override { return {{0, 1}, {2, 3}}; }
+  std::vector<std::vector<unsigned int>> velocity_nodes() const override
+  {
+    return {{0, 1}, {2, 3}};
+  }
   std::vector<bool> free_velocities() const override { return std::vector<bool>(n, true); }
 
   std::vector<HarmonicLoadSource> sources() const override
@@ -76,12 +79,12 @@ public:
     }
     return result;
   }
-  void solve_at(
-      const std::vector<Complex> &s,
-      const std::function<std::vector<HarmonicLoad>(std::size_t number)> &loads_at,
-      const std::function<void(std::size_t number,
-                               const std::vector<HarmonicLoad> &loads,
-                               const std::vector<HarmonicSolution> &solutions)> &sink) override
+  void
+  solve_at(const std::vector<Complex> &s,
+           const std::function<std::vector<HarmonicLoad>(std::size_t number)> &loads_at,
+           const std::function<void(std::size_t number,
+                                    const std::vector<HarmonicLoad> &loads,
+                                    const std::vector<HarmonicSolution> &solutions)> &sink) override
   {
     for (std::size_t k = 0; k < s.size(); ++k)
     {
@@ -111,8 +114,7 @@ public:
   }
   void show(const HarmonicSolution &, Complex) override {}
   HarmonicPowers powers(const HarmonicSolution &, const HarmonicLoad &) override { return {}; }
-  Complex
-  power_of(const HarmonicLoad &, const HarmonicSolution &, const HarmonicLoad &) override
+  Complex power_of(const HarmonicLoad &, const HarmonicSolution &, const HarmonicLoad &) override
   {
     return 0.;
   }

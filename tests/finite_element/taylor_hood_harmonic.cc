@@ -207,9 +207,9 @@ UNIT_TEST(taylor_hood_harmonic)
        {std::string("set Type = pressure\nset Pressure = 2\nset Tangential = fixed"),
         std::string("set Type = velocity\nset Velocity = 0.5, 0"), free_flow_rate})
   {
-    const std::string name = left == free_flow_rate                          ? "flow rate"
+    const std::string name = left == free_flow_rate                       ? "flow rate"
                              : left.find("pressure") != std::string::npos ? "pressure"
-                                                                             : "velocity";
+                                                                          : "velocity";
     Body tested(left);
     const HarmonicLoad load = all_loads(tested);
     HarmonicLoad twice;
@@ -271,7 +271,8 @@ UNIT_TEST(taylor_hood_harmonic)
                          std::abs(tested.velocity.begin()[i] - (shown.s * turned).real()),
                          std::abs(tested.mixtures[1].begin()[i] - (modulus * turned).real())});
     }
-    check::absolute(name + ": what is shown", Utilities::MPI::max(misfit, MPI_COMM_WORLD), 0., 1e-14);
+    check::absolute(name + ": what is shown", Utilities::MPI::max(misfit, MPI_COMM_WORLD), 0.,
+                    1e-14);
 
     if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
       continue;

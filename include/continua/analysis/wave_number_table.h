@@ -46,7 +46,8 @@ private:
 
   static bool has_enough_stations(const Case<dim> &input, const StationsProbe &probe);
   Theory theory_of(const StationsProbe &probe) const;
-  TravellingWaves fit(const StationsProbe &probe, const ProbeResponse &row, const Theory &theory) const;
+  TravellingWaves
+  fit(const StationsProbe &probe, const ProbeResponse &row, const Theory &theory) const;
   void add_columns(const StationsProbe &probe);
   void add_quantities(const StationsProbe &probe, double frequency, const TravellingWaves &fitted);
 };

@@ -8,7 +8,7 @@ namespace Continua
 /// The section Resonances: which resonances of a body are sought, and how.
 struct ResonanceParameters
 {
-  double lowest = 0., highest = 0.;  ///< of |s|/(2 pi) [Hz]
+  double lowest = 0., highest = 0.;   ///< of |s|/(2 pi) [Hz]
   double largest_damping_ratio = 0.9; ///< of what counts as a resonance [1]
   double tolerance = 1e-8;            ///< of the rational approximation between the frequencies [1]
   unsigned int most_frequencies = 200;
