@@ -164,11 +164,9 @@ void HarmonicTables<dim>::record_impedances(const double frequency,
   for (const End &end : ends)
   {
     const Complex flow_rate = system.flow_rate(end.condition, solution);
-    // Without a flow there is none, and the power of a tangential load is none of a pressure.
+    // Without a flow there is none.
     Complex of_end(undefined, undefined);
-    const BoundaryCondition &condition = run.input.problem.conditions[end.condition];
-    const bool has_pressure_alone = condition.tangential.is_zero();
-    if (flow_rate != 0. && end.load >= 0 && has_pressure_alone)
+    if (flow_rate != 0. && end.load >= 0)
       of_end = 2. * system.power_of(loads[end.load].load, solution, total) / std::norm(flow_rate);
     else if (flow_rate != 0. && end.load < 0)
       for (std::size_t port = 0; port < system.ports().size(); ++port)

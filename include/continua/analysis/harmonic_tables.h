@@ -38,8 +38,8 @@ probe_values(HarmonicSystem<dim> &system, Probes<dim> &probes, const HarmonicSol
  *
  *   response.csv        of each column of the probes amplitude, phase, real and imaginary part
  *   impedance.csv       of each loaded boundary the input impedance: the complex power 1/2 P Q*
- *                       that goes in there over |Q|^2/2; empty where the load has a tangential
- *                       part. Of each other outlet its own impedance, with Q out of the body
+ *                       that goes in there over |Q|^2/2, that of a tangential load included. Of
+ *                       each other outlet its own impedance, with Q out of the body
  *   transfer.csv        of each probe with stations the value of a field at each over that at the
  *                       first station; empty where that is none but for round-off
  *   mean-power.csv  the mean powers of the loads, and of what takes them
