@@ -210,7 +210,9 @@ CostEstimate::CostEstimate(const CostInput &input)
     // Complex numbers have twice the bytes; all entries of the matrix are on each rank.
     memory += size.n_factors * bytes_per_entry * factor_entries +
               input.n_ranks * bytes_per_harmonic_entry * entries_per_unknown(input) * n_unknowns;
-    const double factor_time = 4. * 140. * nanosecond * factor_entries;
+    // Fitted to strips of 9,553 and 74,103 unknowns: 0.05 and 0.5 s a frequency, most of it the
+    // factor.
+    const double factor_time = 90. * nanosecond * factor_entries;
     set_up_time = 5. * (is_plane ? 12. : 48.) * microsecond * n_unknowns;
     solve_time = factor_time + 8. * nanosecond * factor_entries;
   }
