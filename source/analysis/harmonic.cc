@@ -109,7 +109,7 @@ template <int dim>
 void check_phases(const Case<dim> &input, ParameterSection root, const bool has_body_force)
 {
   const std::string &unit_load = input.harmonic.unit_load;
-  const auto check_one = [&](ParameterSection section, const bool is_loaded)
+  const auto check_one = [&](const ParameterSection &section, const bool is_loaded)
   {
     if (is_loaded || !section.given("Phase"))
       return;
@@ -250,6 +250,7 @@ void Harmonic<dim>::solve_refined_range()
   const auto solve = [&](const std::vector<double> &frequencies)
   {
     std::vector<Complex> points;
+    points.reserve(frequencies.size());
     for (const double frequency : frequencies)
       points.emplace_back(0., 2. * numbers::PI * frequency);
     std::vector<std::vector<Complex>> values;

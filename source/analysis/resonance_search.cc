@@ -177,6 +177,7 @@ std::vector<Complex> ResonanceSearch<dim>::find_candidates()
   const auto responses_at = [&](const std::vector<double> &frequencies)
   {
     std::vector<Complex> points;
+    points.reserve(frequencies.size());
     for (const double frequency : frequencies)
       points.push_back(point_of(frequency));
     std::vector<std::vector<Complex>> responses(points.size());

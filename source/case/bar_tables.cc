@@ -24,8 +24,7 @@ bool has_bar_column(const CsvTable &table, const std::string &name)
 std::vector<double> times_of_bar_table(const CsvTable &table)
 {
   const std::size_t column = table.find("time");
-  const std::vector<double> times =
-      table.increasing_values(column, Dimensions::time, "time", "later");
+  std::vector<double> times = table.increasing_values(column, Dimensions::time, "time", "later");
   if (!times.empty() && times.front() < 0.)
     table.refuse(0, column, "the time is negative: the load begins at time 0",
                  "Let time 0 be the start of the load, and remove the rows before it");

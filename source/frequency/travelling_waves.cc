@@ -283,8 +283,8 @@ RefinedWaves best_of_starts(const WaveLine &line, const TravellingWavesOptions &
   else
   {
     if (are_equidistant(line.places))
-      for (std::size_t lag = 1; 2 * options.n_waves * lag < n; lag *= 2)
-        if ((n - 2 * options.n_waves * lag) * line.fields.size() >= options.n_waves)
+      for (std::size_t lag = 1; std::size_t{2} * options.n_waves * lag < n; lag *= 2)
+        if ((n - std::size_t{2} * options.n_waves * lag) * line.fields.size() >= options.n_waves)
           try
           {
             starts.push_back(start_by_recurrence(line, options.n_waves, lag));
@@ -372,7 +372,8 @@ TravellingWaves fit_travelling_waves(const std::vector<double> &positions,
     return result;
   }
   WaveLine line = line_of(positions, fields);
-  if (line.fields.empty() || (n - 2 * options.n_waves) * line.fields.size() < options.n_waves)
+  if (line.fields.empty() ||
+      (n - std::size_t{2} * options.n_waves) * line.fields.size() < options.n_waves)
   {
     result.refusal = "there are fewer values than unknown numbers of the waves";
     return result;

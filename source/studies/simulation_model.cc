@@ -110,6 +110,7 @@ std::vector<std::pair<SimulationModel::Plan, std::string>>
 SimulationModel::perform(const std::vector<Plan> &plans, const unsigned int n_at_a_time)
 {
   std::vector<PlannedRun> runs;
+  runs.reserve(plans.size());
   for (const Plan &plan : plans)
     runs.push_back(plan.run);
   std::vector<std::pair<Plan, std::string>> ended;
@@ -136,6 +137,7 @@ SimulationModel::perform(const std::vector<Plan> &plans, const unsigned int n_at
 std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQuestion> &questions)
 {
   std::vector<Settings> all;
+  all.reserve(questions.size());
   for (const ForwardQuestion &question : questions)
     all.push_back(question.settings);
   run(all);
