@@ -95,7 +95,8 @@ SmallestSingularVector smallest_singular_vector(DenseComplexMatrix matrix)
   const int m = static_cast<int>(matrix.n_rows()), n = static_cast<int>(matrix.n_columns());
   const int n_values = std::min(m, n), one = 1;
   DenseComplexMatrix right(n, n);
-  std::vector<double> values(std::max(n_values, 1)), real_work(5 * std::max(n_values, 1));
+  std::vector<double> values(std::max(n_values, 1)),
+      real_work(std::size_t{5} * std::max(n_values, 1));
   SmallestSingularVector result{std::vector<Complex>(n), 0.};
   if (n_values == 0)
   {
@@ -120,7 +121,7 @@ std::vector<Complex> generalised_eigenvalues(DenseComplexMatrix a, DenseComplexM
   expect_finite(b);
   const int n = static_cast<int>(a.n_rows()), one = 1;
   std::vector<Complex> numerators(n), denominators(n), result;
-  std::vector<double> real_work(8 * std::max(n, 1));
+  std::vector<double> real_work(std::size_t{8} * std::max(n, 1));
   if (n == 0)
     return result;
   call_with_work("generalised eigenvalues",

@@ -40,7 +40,8 @@ double difference_of_beat(const std::vector<double> &times,
   if (values.range > floor)
     return values.difference;
   double largest = 0.;
-  for (std::size_t i = (beat - 1) * n_intervals; i <= beat * n_intervals; ++i)
+  const std::size_t last = static_cast<std::size_t>(beat) * n_intervals;
+  for (std::size_t i = last - n_intervals; i <= last; ++i)
     largest = std::fmax(largest, std::abs(pressure[i] - pressure[i - n_intervals]));
   return largest > 0. ? largest / floor : 0.;
 }
