@@ -340,17 +340,13 @@ void Harmonic<dim>::perform()
 {
   run.initialise();
   Case<dim> &input = run.input;
-  system = run.solver->harmonic_system();
-  if (!system)
-    throw RunError("the discretisation '" + input.general.discretisation +
-                   "' has no frequency domain; set Discretisation = taylor hood");
+  system = harmonic_system_of(run);
   take_loads();
   tables = std::make_unique<HarmonicTables<dim>>(run, *system, loads);
   writer = std::make_unique<FieldWriter<dim>>(
       input.communicator, run.directory.path(),
       input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
       input.output.higher_order_cells, input.output.files_per_state);
-  run.log.detail("Solver: " + system->solver_name());
   try
   {
     SectionTimer::Scope scope(run.log.timer(), "frequencies");

@@ -92,6 +92,19 @@ void check_harmonic_body(const Case<dim> &input, ParameterSection root, const st
                          "Use automatic or mumps");
 }
 
+template <int dim>
+std::unique_ptr<HarmonicSystem<dim>> harmonic_system_of(Run<dim> &run)
+{
+  std::unique_ptr<HarmonicSystem<dim>> system = run.solver->harmonic_system();
+  if (!system)
+    throw RunError("the discretisation '" + run.input.general.discretisation +
+                   "' has no frequency domain; set Discretisation = taylor hood");
+  run.log.detail("Solver: " + system->solver_name());
+  return system;
+}
+
 template void check_harmonic_body(const Case<2> &, ParameterSection, const std::string &);
 template void check_harmonic_body(const Case<3> &, ParameterSection, const std::string &);
+template std::unique_ptr<HarmonicSystem<2>> harmonic_system_of(Run<2> &);
+template std::unique_ptr<HarmonicSystem<3>> harmonic_system_of(Run<3> &);
 } // namespace Continua

@@ -354,11 +354,7 @@ void PeriodicResponse<dim>::perform()
 {
   run.initialise();
   Case<dim> &input = run.input;
-  system = run.solver->harmonic_system();
-  if (!system)
-    throw RunError("the discretisation '" + input.general.discretisation +
-                   "' has no frequency domain; set Discretisation = taylor hood");
-  run.log.detail("Solver: " + system->solver_name());
+  system = harmonic_system_of(run);
   {
     SectionTimer::Scope scope(run.log.timer(), "loads");
     take_loads();

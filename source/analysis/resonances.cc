@@ -104,11 +104,7 @@ void Resonances<dim>::perform()
 {
   run.initialise();
   Case<dim> &input = run.input;
-  system = run.solver->harmonic_system();
-  if (!system)
-    throw RunError("the discretisation '" + input.general.discretisation +
-                   "' has no frequency domain; set Discretisation = taylor hood");
-  run.log.detail("Solver: " + system->solver_name());
+  system = harmonic_system_of(run);
   ResonanceSearch<dim> search(*system, input.resonances, unit_loads_of(input.problem, *system),
                               input.communicator, run.log);
   std::vector<Resonance> found;

@@ -1,8 +1,13 @@
 #ifndef continua_analysis_harmonic_checks_h
 #define continua_analysis_harmonic_checks_h
 
+#include <continua/analysis/run.h>
 #include <continua/base/parameter_section.h>
 #include <continua/case/case.h>
+#include <continua/continuum/harmonic_system.h>
+
+#include <memory>
+#include <string>
 
 namespace Continua
 {
@@ -11,6 +16,11 @@ namespace Continua
 /// InputError.
 template <int dim>
 void check_harmonic_body(const Case<dim> &input, ParameterSection root, const std::string &remedy);
+
+/// The system of a run that was initialised, its solver named in log.txt. Throws RunError where the
+/// discretisation has none, which check_harmonic_body() refuses before.
+template <int dim>
+std::unique_ptr<HarmonicSystem<dim>> harmonic_system_of(Run<dim> &run);
 } // namespace Continua
 
 #endif

@@ -37,12 +37,11 @@ private:
   std::vector<std::vector<Complex>> spectra; ///< by shape of the loads, by harmonic
   std::vector<double>
       load_sizes; ///< by harmonic: the sum over the shapes, each over its largest value
-
-  void take_loads();
-  HarmonicLoad load_of(unsigned int harmonic) const;
   /// Of two means of a compared probe, over its range or its mean [1].
   double difference_of_means = 0.;
 
+  void take_loads();
+  HarmonicLoad load_of(unsigned int harmonic) const;
   bool is_compared(unsigned int column) const;
   /// Of each column of the probes, from harmonic 1.
   std::vector<Complex> amplitudes(unsigned int harmonic);
