@@ -223,9 +223,9 @@ void compare(const std::string &name, const Cell<dim> &cell, const TermsTaken *c
         {{result.momentum.data(), result.component_size}, result.volume.data()});
     const NonlinearPowers &powers = result.powers, &of_expected = expected.powers;
     double of_powers = 0.;
-    for (const PowerKind kind : {&NonlinearPowers::inertia, &NonlinearPowers::convection,
-                                 &NonlinearPowers::stabilisation, &NonlinearPowers::viscosity,
-                                 &NonlinearPowers::compression})
+    for (const PowerKind kind :
+         {&NonlinearPowers::inertia, &NonlinearPowers::convection, &NonlinearPowers::stabilisation,
+          &NonlinearPowers::viscosity, &NonlinearPowers::compression})
       of_powers = std::max(of_powers, std::abs(powers.*kind - of_expected.*kind));
     const std::string of_set = name + ", " + word_of(instruction_set_words(), wanted);
     check::absolute(of_set + ": momentum", distance(result.momentum, expected.momentum), 0., 1e-12);

@@ -182,7 +182,8 @@ private:
   namespace Continua                                                                               \
   {                                                                                                \
   template <int dim>                                                                               \
-  double name(const FlowAtPoints<dim> &cell, const PowersAtPoints *const asked,                    \
+  double name(const FlowAtPoints<dim> &cell,                                                       \
+              const PowersAtPoints *const asked,                                                   \
               const TestedAtPoints &result)                                                        \
   {                                                                                                \
     return FlowOfWidth<dim, width>::set_all(cell, asked, result);                                  \
