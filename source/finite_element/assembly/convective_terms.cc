@@ -17,7 +17,8 @@ using namespace dealii;
 template <int dim>
 ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
                                       const Problem &problem,
-                                      const std::optional<InstructionSet> instruction_set)
+                                      const std::optional<InstructionSet> instruction_set,
+                                      const InstructionSet set_of_terms)
     // Products of three functions and of the radius are integrated exactly on parallelograms, where
     // density and compressibility are constant.
     : Base(space,
@@ -25,6 +26,7 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
            space.quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
            RegionModel::flow,
            kinds_of<StreamlineFlowTerms, BodyForceTerms, FlowFaceTerms>()),
+      set_flow_terms(flow_terms_of<dim>(set_of_terms)),
       streamline_terms(space, problem, quadrature),
       here(problem,
            cells,
@@ -115,29 +117,44 @@ void ConvectiveTerms<dim>::take(const BalancedStep &state)
 }
 
 template <int dim>
-double ConvectiveTerms<dim>::integrate()
+double ConvectiveTerms<dim>::add_flow_terms()
+{
+  double least_stiffening = 1.;
+  Base::set_terms([&](const PowersAtPoints *const asked, const TestedAtPoints &result)
+                  { least_stiffening = set_flow_terms(here.all_points(), asked, result); });
+  return least_stiffening;
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::add_streamline_terms()
 {
   const VolumeLaw law = here.material().volume_law();
-  if (streamline_terms.are_on())
-    streamline_terms.visit(here.cell().velocity_cell, step);
-  const bool has_body_force = body_forces.visit(here.cell(), step, here.mesh_displacement());
+  streamline_terms.visit(here.cell().velocity_cell, step);
   double least_stiffening = 1.;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const typename Cell::Point &geometry = here.points()[q];
     Point at_point = here.point(q);
     least_stiffening = std::min(least_stiffening, law.stiffening(at_point.pressure));
-    if (streamline_terms.are_on())
-      streamline_terms.set_point(q, here.state(), at_point);
-    if (streamline_terms.are_on())
-      Base::template add_terms<StreamlineFlowTerms>(q, geometry.inverse_jacobian, geometry.weight,
-                                                    at_point);
-    else
-      Base::template add_terms<FlowTerms>(q, geometry.inverse_jacobian, geometry.weight, at_point);
-    if (has_body_force)
+    streamline_terms.set_point(q, here.state(), at_point);
+    Base::template add_terms<StreamlineFlowTerms>(q, geometry.inverse_jacobian, geometry.weight,
+                                                  at_point);
+  }
+  return least_stiffening;
+}
+
+template <int dim>
+double ConvectiveTerms<dim>::integrate()
+{
+  const double least_stiffening =
+      streamline_terms.are_on() ? add_streamline_terms() : add_flow_terms();
+  if (body_forces.visit(here.cell(), step, here.mesh_displacement()))
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+    {
+      const typename Cell::Point &geometry = here.points()[q];
       Base::template add_terms<BodyForceTerms>(q, geometry.inverse_jacobian, geometry.weight,
                                                body_forces.point(q), StreamlineFlowTerms::size);
-  }
+    }
   assembly.finish_rows(cell_momentum, cell_volume);
   for (const TermFace<dim> &face : faces.of(here.cell()))
     for (unsigned int q = 0; q < face.points.size(); ++q)

@@ -1,5 +1,7 @@
 #include <continua/finite_element/assembly/flow_cell.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace Continua
 {
 using namespace dealii;
@@ -116,6 +118,29 @@ void FlowCell<dim>::set_material(FlowPoint<dim> &point) const
   const double rate = point.shear_rate();
   point.viscosity = shear.flow_curve->viscosity(rate);
   point.viscosity_slope = shear.flow_curve->slope_over_rate(rate);
+}
+
+template <int dim>
+FlowAtPoints<dim> FlowCell<dim>::all_points() const
+{
+  Assert(cells.n_points() >= 8, ExcInternalError());
+  const Material &liquid = material();
+  FlowAtPoints<dim> all;
+  all.n_points = cells.n_points();
+  all.geometry = points().data();
+  all.scheme = scheme;
+  all.density = liquid.density;
+  all.viscosity = liquid.shear.viscosity;
+  all.grad_div_over_speed = problem.convection.viscosity_over_speed(liquid.density, present->size);
+  all.volume_law = liquid.volume_law();
+  all.flow_curve = liquid.shear.flow_curve ? &*liquid.shear.flow_curve : nullptr;
+  all.velocity = velocity_at_points.numbers();
+  all.acceleration = acceleration_at_points.numbers();
+  all.pressure = pressure_at_points.numbers();
+  all.pressure_rate = pressure_rate_at_points.numbers();
+  if (problem.mesh_moves)
+    all.mesh_velocity = mesh_velocity_at_points.numbers();
+  return all;
 }
 
 template <int dim>

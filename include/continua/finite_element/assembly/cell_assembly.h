@@ -59,13 +59,15 @@ public:
     set_column(inverse_jacobian, weight, tested, column);
     for (unsigned int c = 0; c < dim; ++c)
     {
-      double *const at_point =
-          &momentum_at_points[c * velocity_table.size() + velocity_table.place(q)];
+      double *const of_component = &momentum_at_points[c * velocity_table.size()];
       for (unsigned int s = 0; s <= dim; ++s)
-        at_point[s] += column.of_momentum[c][s];
+        of_component[velocity_table.place(q, s)] += column.of_momentum[c][s];
     }
     volume_at_points[q] += column.of_volume;
   }
+  /// What add() adds to, to be set by others before it.
+  NumbersAtPoints<double> momentum() { return {momentum_at_points.data(), velocity_table.size()}; }
+  double *volume() { return volume_at_points.data(); }
   /// Sets the rows of momentum, component by component, and of volume, and begins anew.
   void finish_rows(dealii::Vector<double> &momentum, dealii::Vector<double> &volume);
   /// Likewise those of momentum alone.

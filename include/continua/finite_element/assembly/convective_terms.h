@@ -5,6 +5,7 @@
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
+#include <continua/finite_element/assembly/flow_at_points.h>
 #include <continua/finite_element/assembly/flow_cell.h>
 #include <continua/finite_element/assembly/flow_product.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
@@ -42,10 +43,12 @@ class ConvectiveTerms : public NonlinearCellTerms<dim>
 public:
   /// `instruction_set`: of products with the derivative that need no matrix; they need quadratic
   /// velocities. Without a set, with StreamlineTerms, and in cells with FlowFaceTerms there is
-  /// a matrix of each cell in any case. The first two must outlive it.
+  /// a matrix of each cell in any case. `set_of_terms`: of the terms themselves. The first two must
+  /// outlive it.
   ConvectiveTerms(const Space<dim> &space,
                   const Problem &problem,
-                  std::optional<InstructionSet> instruction_set);
+                  std::optional<InstructionSet> instruction_set,
+                  InstructionSet set_of_terms = widest_instruction_set());
 
   void reinit() override;
 
@@ -83,6 +86,7 @@ private:
   using typename Base::Cell;
   using Point = StreamlinePoint<dim>;
 
+  const SetFlowTerms<dim> set_flow_terms;
   StreamlineTerms<dim> streamline_terms;
   FlowCell<dim> here; ///< the state in the present cell
   FlowProduct<dim> product;
@@ -103,6 +107,9 @@ private:
   void visit(const Cell &cell) override { here.visit(cell); }
   /// The least of VolumeLaw::stiffening().
   double integrate() override;
+  /// The terms inside the present cell, likewise.
+  double add_flow_terms();
+  double add_streamline_terms();
   /// Throws StepFailure where the least of VolumeLaw::stiffening() is not positive. Collective.
   void refuse_softening(double least_stiffening, unsigned int softest) const;
 };

@@ -2,6 +2,7 @@
 #define continua_finite_element_assembly_flow_cell_h
 
 #include <continua/continuum/problem.h>
+#include <continua/finite_element/assembly/flow_at_points.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/values_at_points.h>
 #include <continua/finite_element/terms/cell_state.h>
@@ -48,6 +49,8 @@ public:
     return problem.mesh_moves ? moved_points : present->points;
   }
   const dealii::Vector<double> &mesh_displacement() const { return displacements; }
+  /// The state at all quadrature points, until the next visit().
+  FlowAtPoints<dim> all_points() const;
   /// The state at a quadrature point; what is a StreamlinePoint's alone is not set.
   StreamlinePoint<dim> point(unsigned int q) const;
 

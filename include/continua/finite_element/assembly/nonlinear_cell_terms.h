@@ -11,6 +11,7 @@
 #include <continua/finite_element/assembly/face_assembly.h>
 #include <continua/finite_element/assembly/face_points.h>
 #include <continua/finite_element/assembly/term_faces.h>
+#include <continua/finite_element/assembly/terms_at_points.h>
 #include <continua/finite_element/space/cell_sums.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
@@ -168,6 +169,17 @@ protected:
   void take(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
   /// Whether integrate() is asked for powers.
   bool asks_for_powers() const { return asked != nullptr; }
+  /// Calls set(asked, result) for what gives all points of a cell at once: a PowersAtPoints or
+  /// null, and a TestedAtPoints of the assembly.
+  template <typename Set>
+  void set_terms(const Set &set)
+  {
+    const TestedAtPoints result{assembly.momentum(), assembly.volume()};
+    if (!asks_for_powers())
+      return set(nullptr, result);
+    const PowersAtPoints of_asked{of_powers_at_points.numbers(), asked->taken, asked->powers};
+    set(&of_asked, result);
+  }
   /// Adds what a list of terms gives at a point, times its weight, to what the assembly sums and to
   /// the powers that are asked for. `number`: that of its first term among the kinds.
   template <typename List, typename Point>

@@ -12,7 +12,7 @@ namespace Continua
 /**
  * The shape functions of a component of a field at all points of the reference cell: their values,
  * and their derivatives along the coordinates where these are wanted. What one function has at all
- * points stands together, a row of the table.
+ * points stands together, a row of the table: its values, then each derivative (NumbersAtPoints).
  */
 template <int dim>
 class PointTable
@@ -29,8 +29,11 @@ public:
   std::size_t n_functions() const { return functions; }
   /// Numbers of a row: those at points, and zeros behind them.
   std::size_t size() const { return row_size; }
-  /// Where in a row the value at a point is; the derivatives are behind it.
-  std::size_t place(const unsigned int q) const { return numbers_at_point * q; }
+  /// Where in a row a number at a point is: 0 the value, then the derivatives.
+  std::size_t place(const unsigned int q, const std::size_t number = 0) const
+  {
+    return number * points + q;
+  }
 
   /// Sets the `size()` values at points of the field with `n_functions()` entries.
   void set_values(const double *const entries, double *const values) const
@@ -44,8 +47,8 @@ public:
   }
 
 private:
-  std::size_t functions, numbers_at_point, row_size;
-  std::vector<double> table; ///< [function][point, number]
+  std::size_t functions, points, row_size;
+  std::vector<double> table; ///< [function][number, point]
 };
 } // namespace Continua
 

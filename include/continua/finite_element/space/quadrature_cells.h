@@ -2,6 +2,7 @@
 #define continua_finite_element_space_quadrature_cells_h
 
 #include <continua/continuum/problem.h>
+#include <continua/finite_element/space/numbers_at_points.h>
 #include <continua/finite_element/space/space.h>
 
 #include <deal.II/base/quadrature.h>
@@ -20,14 +21,7 @@ namespace Continua
 template <int dim>
 struct QuadratureCell
 {
-  /// The geometry at a quadrature point.
-  struct Point
-  {
-    double weight = 0.; ///< in an integral over the body
-    double hoop = 0.;   ///< 1/r in axisymmetry, else 0 [1/m]
-    /// [d][e]: the derivative of the coordinate d of the reference cell by the place along e [1/m].
-    dealii::Tensor<2, dim> inverse_jacobian;
-  };
+  using Point = CellPoint<dim>;
 
   typename dealii::DoFHandler<dim>::active_cell_iterator velocity_cell, pressure_cell;
   unsigned int region = 0;

@@ -45,14 +45,16 @@ public:
                                   const unsigned int q,
                                   const dealii::Tensor<2, dim> &inverse_jacobian) const
   {
-    const double *const slope = &values[component * table.size() + table.place(q) + 1];
+    const double *const slopes = &values[component * table.size() + table.place(0, 1)];
     dealii::Tensor<1, dim> result;
     for (unsigned int s = 0; s < dim; ++s)
       for (unsigned int d = 0; d < dim; ++d)
-        result[d] += slope[s] * inverse_jacobian[s][d];
+        result[d] += slopes[table.place(q, s)] * inverse_jacobian[s][d];
     return result;
   }
 
+  /// All of them.
+  NumbersAtPoints<const double> numbers() const { return {values.data(), table.size()}; }
   /// The 3x3 gradient of a velocity by the reference place, as QuadratureCells::gradient().
   dealii::Tensor<2, 3> space_gradient(const unsigned int q,
                                       const typename QuadratureCell<dim>::Point &point) const
@@ -67,7 +69,7 @@ public:
 
 private:
   PointTable<dim> table;
-  std::vector<double> values; ///< [component][number of a row]
+  std::vector<double> values; ///< [component], by place in a row
 };
 } // namespace Continua
 
