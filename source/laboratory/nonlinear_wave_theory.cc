@@ -56,6 +56,7 @@ NonlinearWaveTheory::NonlinearWaveTheory(const AnalysisInput &input) : Analysis(
   if (general.discretisation != GeneralParameters().discretisation)
     root.refuse("Discretisation", "a network has finite volumes along its vessels", "Remove it");
   parameters.read(section);
+  parameters.read_materials(root.subsection("Materials"));
   expected = read_expected(root.subsection("Expected"));
   file.refuse_unknown();
   parameters.check(section);
@@ -162,10 +163,6 @@ void NonlinearWaveTheory::run(Network &network,
     return;
   log.line("The beat " + std::to_string(records.n_beats) + " differs from the one before by " +
            six_digits(records.difference) + " of the range of a pressure.");
-  if (records.difference > parameters.tolerance)
-    log.warning("after " + std::to_string(records.n_beats) +
-                " beats there is no periodic state to the tolerance of " +
-                six_digits(parameters.tolerance) + " (Network/Most beats)");
 }
 
 void NonlinearWaveTheory::add_quantities(const Network &network,
@@ -288,13 +285,24 @@ void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Su
   summary.add({"largest error of the volume",
                std::abs(network.volume() - volume_at_start - network.inflow()) / volume_at_start,
                "1", ""});
-  summary.set("status", "finished");
+  const bool is_periodic = parameters.period == 0. || records.difference <= parameters.tolerance;
+  const std::string failure =
+      "after " + std::to_string(records.n_beats) +
+      " beats there is no periodic state to the tolerance of " + six_digits(parameters.tolerance) +
+      ": the last beat differs by " + six_digits(records.difference) +
+      ". Raise Network/Most beats or Network/Tolerance, or look for what never repeats itself";
+  summary.set("status", is_periodic ? "finished" : "failed");
+  if (!is_periodic)
+    summary.set("failure", failure);
   bool all_passed = true;
   for (const std::string &verdict : summary.check(expected, all_passed))
     log.line(verdict);
-  if (!is_writing_rank(communicator))
-    return;
-  summary.write(directory.file("summary.json"));
-  Citations().write(directory.file("citation.bib"));
+  if (is_writing_rank(communicator))
+  {
+    summary.write(directory.file("summary.json"));
+    Citations().write(directory.file("citation.bib"));
+  }
+  if (!is_periodic)
+    throw RunError(failure);
 }
 } // namespace Continua

@@ -16,8 +16,15 @@ constexpr double smallest_step = 1e-9;
 } // namespace
 
 Network::Network(std::vector<Edge> all_edges, const std::vector<TerminalLaw> &terminals)
-    : edges(std::move(all_edges))
+    : edges(std::move(all_edges)), n_nodes(terminals.size())
 {
+  const bool remembers =
+      std::any_of(edges.begin(), edges.end(),
+                  [](const Edge &edge)
+                  { return edge.vessel->wall_relaxes() || edge.vessel->flow_law().remembers; });
+  for (const Edge &edge : edges)
+    if (remembers && edge.vessel->memory() == nullptr)
+      edge.vessel->set_relaxation({});
   std::vector<std::vector<std::pair<Vessel *, Vessel::End>>> ends(terminals.size());
   for (const Edge &edge : edges)
   {
@@ -28,8 +35,8 @@ Network::Network(std::vector<Edge> all_edges, const std::vector<TerminalLaw> &te
     if (ends[node].size() > 1)
       junctions.emplace_back(ends[node]);
     else if (ends[node].size() == 1)
-      loose_ends.push_back(
-          {Terminal(*ends[node][0].first, ends[node][0].second, terminals[node]), 0.});
+      loose_ends.push_back({Terminal(*ends[node][0].first, ends[node][0].second, terminals[node]),
+                            0., static_cast<unsigned int>(node)});
 }
 
 double Network::volume() const
@@ -44,6 +51,37 @@ void Network::rest(const double pressure)
 {
   for (const Edge &edge : edges)
     edge.vessel->rest(pressure);
+}
+
+void Network::solve_memory(const bool at_end_of_step, const double length)
+{
+  bool wall_relaxes = false;
+  for (const Edge &edge : edges)
+    wall_relaxes = wall_relaxes || edge.vessel->wall_relaxes();
+  if (!wall_relaxes)
+  {
+    for (const Edge &edge : edges)
+      if (edge.vessel->memory() != nullptr)
+      {
+        edge.vessel->begin_memory_stage(at_end_of_step, length);
+        edge.vessel->end_memory_stage(0., 0.); // does not matter
+      }
+    return;
+  }
+  std::vector<MemoryNodes::Edge> of_memory;
+  for (const Edge &edge : edges)
+    of_memory.push_back({edge.vessel.get(), edge.from, edge.to});
+  std::vector<const Terminal *> terminals(n_nodes, nullptr);
+  for (const Loose &loose : loose_ends)
+    terminals[loose.node] = &loose.terminal;
+  try
+  {
+    MemoryNodes(of_memory, n_nodes).solve(terminals, at_end_of_step, now, length);
+  }
+  catch (const std::domain_error &error)
+  {
+    throw StepFailure("at " + six_digits(now) + " s: " + error.what());
+  }
 }
 
 void Network::solve_nodes(const bool at_end_of_step, const double length)
@@ -90,6 +128,7 @@ void Network::step(const double length)
     edge.vessel->begin_step();
   for (const bool at_end_of_step : {false, true})
   {
+    solve_memory(at_end_of_step, length);
     bool has_states = true;
     for (const Edge &edge : edges)
       has_states = edge.vessel->reconstruct() && has_states;
@@ -97,7 +136,11 @@ void Network::step(const double length)
       check_state();
     solve_nodes(at_end_of_step, length);
     for (const Edge &edge : edges)
+    {
       edge.vessel->advance(length, at_end_of_step ? 0.5 : 0.);
+      if (edge.vessel->memory() != nullptr)
+        edge.vessel->add_memory(at_end_of_step, length);
+    }
   }
   ++steps;
 }

@@ -1,7 +1,6 @@
 #include <continua/network/network_parameters.h>
 
 #include <continua/base/joined.h>
-#include <continua/base/nearest_name.h>
 #include <continua/base/units.h>
 #include <continua/base/words.h>
 #include <continua/network/neo_hookean_wall.h>
@@ -17,20 +16,31 @@ namespace Continua
 namespace
 {
 constexpr double pi = FlowLaw::pi;
-/// Of heights that close a loop, relative to the sum of the rises.
-constexpr double tolerance_of_heights = 1e-9;
-constexpr double most_cells = 1e6;     ///< of a vessel
-constexpr double most_intervals = 1e7; ///< of a beat, or of the run
-
-/// A remedy for a name that nothing has.
-std::string
-known_names(const std::string &name, const std::vector<std::string> &names, const std::string &kind)
-{
-  const std::string nearest = nearest_name(name, names);
-  return nearest.empty() ? "The " + kind + " are " + joined(names)
-                         : "Did you mean '" + nearest + "'?";
-}
 } // namespace
+
+void NetworkParameters::read_liquid(ParameterSection &section)
+{
+  section.add("Density", liquid.density, Dimensions::density, "Of the liquid.", Range::positive());
+  section.add("Viscosity", liquid.viscosity, Dimensions::viscosity, "Of the liquid.",
+              Range::not_negative());
+  section.add("Profile exponent", liquid.profile_exponent, Dimensions::none,
+              "zeta of the velocity over the section, 1 - (r/R)^zeta, for the friction: 2 is the "
+              "parabola of Poiseuille, 9 is nearly flat [1].",
+              Range::positive());
+  section.add("Momentum correction", liquid.momentum_correction, Dimensions::none,
+              "alpha, mean square of the velocity over the square of its mean [1]. Most programs "
+              "take 1 beside any friction; the profile has (zeta + 2)/(zeta + 1).",
+              {1., std::numeric_limits<double>::infinity(), false, false});
+  section.add("Gravity", liquid.gravity, Dimensions::acceleration,
+              "Downwards. It acts where vessels have a Rise.", Range::not_negative());
+  add_choice(section, "Friction", liquid.remembers, {{"steady", false}, {"womersley", true}},
+             "steady - that of the profile, whatever was before; womersley - that of Poiseuille's "
+             "profile, and the memory of the changes of the flow rate in a round tube, by "
+             "exponentials: for small waves that of Womersley.");
+  if (liquid.remembers && section.given("Profile exponent") && liquid.profile_exponent != 2.)
+    section.refuse("Profile exponent", "the friction of Womersley has the profile of Poiseuille",
+                   "Remove the entry, or set Friction = steady");
+}
 
 void NetworkParameters::read_wall(ParameterSection &section)
 {
@@ -49,6 +59,22 @@ void NetworkParameters::read_wall(ParameterSection &section)
   section.add("Reference pressure", reference_pressure, Dimensions::pressure,
               "Under which the vessels have their radii. The wall of a neo hookean vessel has no "
               "stress then, beside this pressure inside and outside.");
+  section.add("Damping time", relaxation.damping_time, Dimensions::time,
+              "Viscosity of the wall over its Young's modulus (Kelvin and Voigt), of vessels "
+              "without a Material.",
+              Range::not_negative());
+  std::vector<double> shares, times;
+  section.add("Relative moduli", shares, Dimensions::none,
+              "Of branches that relax, over Young's modulus, of vessels without a Material [1].",
+              Range::positive());
+  section.add("Relaxation times", times, Dimensions::time, "Of these branches.", Range::positive());
+  if (shares.size() != times.size())
+    section.refuse("Relaxation times",
+                   std::to_string(shares.size()) + " relative moduli stand beside " +
+                       std::to_string(times.size()) + " relaxation times",
+                   "Give as many of the one as of the other");
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    relaxation.branches.push_back({shares[k], times[k]});
   if (wall == Wall::neo_hookean)
     for (const std::string key : {"Wall theory", "Poisson's ratio"})
       if (section.given(key))
@@ -87,19 +113,7 @@ void NetworkParameters::read_times(ParameterSection &section)
 
 void NetworkParameters::read(ParameterSection section)
 {
-  section.add("Density", liquid.density, Dimensions::density, "Of the liquid.", Range::positive());
-  section.add("Viscosity", liquid.viscosity, Dimensions::viscosity, "Of the liquid.",
-              Range::not_negative());
-  section.add("Profile exponent", liquid.profile_exponent, Dimensions::none,
-              "zeta of the velocity over the section, 1 - (r/R)^zeta, for the friction: 2 is the "
-              "parabola of Poiseuille, 9 is nearly flat [1].",
-              Range::positive());
-  section.add("Momentum correction", liquid.momentum_correction, Dimensions::none,
-              "alpha, mean square of the velocity over the square of its mean [1]. Most programs "
-              "take 1 beside any friction; the profile has (zeta + 2)/(zeta + 1).",
-              {1., std::numeric_limits<double>::infinity(), false, false});
-  section.add("Gravity", liquid.gravity, Dimensions::acceleration,
-              "Downwards. It acts where vessels have a Rise.", Range::not_negative());
+  read_liquid(section);
   read_wall(section);
   section.add("Initial pressure", initial_pressure, Dimensions::pressure,
               "Of the state at rest with which the run starts; with gravity at the first node that "
@@ -151,171 +165,36 @@ void NetworkParameters::read(ParameterSection section)
   }
 }
 
-unsigned int NetworkParameters::node(const std::string &name) const
+void NetworkParameters::read_materials(ParameterSection materials)
 {
-  return std::find(nodes.begin(), nodes.end(), name) - nodes.begin();
-}
-
-void NetworkParameters::check(ParameterSection section)
-{
-  if (vessels.empty())
-    section.refuse_missing("the network has no vessel",
-                           "Give a 'Vessel table', or a section 'Vessels' with a subsection for "
-                           "each vessel");
-  for (auto vessel = vessels.begin(); vessel != vessels.end(); ++vessel)
+  const std::vector<std::string> names = materials.subsections();
+  for (VesselEntries &vessel : vessels)
   {
-    if (std::any_of(vessels.begin(), vessel,
-                    [&](const VesselEntries &other) { return other.name == vessel->name; }))
-      vessel->refuse("", "two vessels are called '" + vessel->name + "'", "Rename one of them");
-    if (vessel->from == vessel->to)
-      vessel->refuse("To", "the vessel '" + vessel->name + "' ends at the node where it starts",
-                     "Name another node, or make two vessels of it");
-    if (std::abs(vessel->rise) > vessel->length)
-      vessel->refuse("Rise",
-                     "the vessel '" + vessel->name + "' is " + shortest_number(vessel->length) +
-                         " m long and cannot rise by " + shortest_number(vessel->rise) + " m",
-                     "Correct the rise, its unit, or the length");
-    for (const std::string &name : {vessel->from, vessel->to})
-      if (node(name) == nodes.size())
-        nodes.push_back(name);
-  }
-  for (const VesselEntries &vessel : vessels)
-    if (vessel.length / cell_length > most_cells)
-      section.refuse("Cell length",
-                     "the vessel '" + vessel.name + "' of " + shortest_number(vessel.length) +
-                         " m would have more than a million cells",
-                     "Give a longer one");
-  check_ends();
-  set_heights();
-  check_stations(section);
-  check_times(section);
-}
-
-void NetworkParameters::check_ends()
-{
-  std::vector<unsigned int> n_ends(nodes.size(), 0);
-  for (const VesselEntries &vessel : vessels)
-    for (const std::string &name : {vessel.from, vessel.to})
-      ++n_ends[node(name)];
-  std::vector<bool> has_terminal(nodes.size(), false);
-  for (const TerminalEntries &terminal : terminals)
-  {
-    const unsigned int number = node(terminal.node);
-    if (number == nodes.size())
-      terminal.refuse("no vessel starts or ends at a node '" + terminal.node + "'",
-                      known_names(terminal.node, nodes, "nodes"));
-    if (n_ends[number] > 1)
-      terminal.refuse("at the node '" + terminal.node + "' " + std::to_string(n_ends[number]) +
-                          " vessels meet",
-                      "Remove the terminal, or put it to a loose end");
-    if (has_terminal[number])
-      terminal.refuse("the node '" + terminal.node + "' has two terminals", "Remove one of them");
-    has_terminal[number] = true;
-  }
-  for (const VesselEntries &vessel : vessels)
-    for (const std::string key : {"From", "To"})
+    if (vessel.material.empty())
     {
-      const std::string &name = key == "From" ? vessel.from : vessel.to;
-      if (n_ends[node(name)] == 1 && !has_terminal[node(name)])
-        vessel.refuse(key,
-                      "the vessel '" + vessel.name + "' has a loose end at the node '" + name + "'",
-                      "Say in 'Terminals/" + name +
-                          "' what stands there (Type = closed, windkessel, ...), or name the node "
-                          "of another vessel");
+      vessel.wall = {vessel.youngs_modulus, poissons_ratio, relaxation};
+      continue;
     }
-}
-
-void NetworkParameters::set_heights()
-{
-  heights.assign(nodes.size(), std::nan(""));
-  heights.front() = 0.;
-  double sum = 0.;
-  for (const VesselEntries &vessel : vessels)
-    sum += std::abs(vessel.rise);
-  bool changed = true;
-  while (changed)
-  {
-    changed = false;
-    for (const VesselEntries &vessel : vessels)
+    if (std::find(names.begin(), names.end(), vessel.material) == names.end())
+      vessel.refuse("Material", "there is no material '" + vessel.material + "'",
+                    names.empty() ? "Describe it in the section Materials"
+                                  : "The materials are " + joined(names));
+    try
     {
-      double &from = heights[node(vessel.from)], &to = heights[node(vessel.to)];
-      if (std::isnan(from) == std::isnan(to))
-        continue;
-      changed = true;
-      if (std::isnan(to))
-        to = from + vessel.rise;
-      else
-        from = to - vessel.rise;
+      vessel.wall = WallMaterial::of(
+          read_material(materials.subsection(vessel.material), Model::three_dimensional));
+      if (wall == Wall::neo_hookean && std::abs(vessel.wall.poissons_ratio - 0.5) > 1e-9)
+        throw std::domain_error("is compressible, and a neo hookean wall is not");
+    }
+    catch (const std::domain_error &error)
+    {
+      vessel.refuse(
+          "Material", "the material '" + vessel.material + "' " + error.what(),
+          "Name a solid of type hookean, kelvin-voigt or prony with a Young's modulus and "
+          "a Poisson's ratio that is constant (0.5, or Volumetric relaxation = as the "
+          "shear)");
     }
   }
-  for (const VesselEntries &vessel : vessels)
-  {
-    const double from = heights[node(vessel.from)], to = heights[node(vessel.to)];
-    if (std::isnan(from))
-      vessel.refuse("From",
-                    "the vessel '" + vessel.name + "' is not connected with the vessel '" +
-                        vessels.front().name + "'",
-                    "Let them meet in a node, or make a file for each network");
-    if (std::abs(from + vessel.rise - to) > tolerance_of_heights * sum)
-      vessel.refuse("Rise",
-                    "along a loop with the vessel '" + vessel.name +
-                        "' the rises have a sum that is not zero",
-                    "Correct the rise of a vessel of the loop");
-  }
-}
-
-void NetworkParameters::check_stations(ParameterSection &section)
-{
-  std::vector<std::string> names;
-  for (const VesselEntries &vessel : vessels)
-    names.push_back(vessel.name);
-  if (stations.empty())
-    section.refuse_missing("the network has no station where values are recorded",
-                           "Write a section 'Stations' with a subsection for each station");
-  for (Station &station : stations)
-  {
-    const ParameterSection of_station = section.subsection("Stations").subsection(station.name);
-    station.vessel_number = std::find(names.begin(), names.end(), station.vessel) - names.begin();
-    if (station.vessel_number == names.size())
-      of_station.refuse("Vessel", "there is no vessel '" + station.vessel + "'",
-                        known_names(station.vessel, names, "vessels"));
-    const double length = vessels[station.vessel_number].length;
-    if (station.position > length)
-      of_station.refuse("Position",
-                        "the vessel '" + station.vessel + "' is " + shortest_number(length) +
-                            " m long",
-                        "Give a distance from its start up to this length");
-  }
-}
-
-void NetworkParameters::check_times(const ParameterSection &section)
-{
-  if (period > 0. && section.given("End time"))
-    section.refuse("End time", "the run ends when a beat is like the one before",
-                   "Remove the entry, or set Period = 0");
-  if (period == 0. && !(end_time > 0.))
-    section.refuse_missing("the run has no end",
-                           "Give the 'Period' of its beats, or an 'End time'");
-  if (period == 0.)
-    for (const std::string key : {"Most beats", "Tolerance"})
-      if (section.given(key))
-        section.refuse(key, "there are no beats", "Remove the entry, or give a Period");
-  const double whole = period > 0. ? period : end_time;
-  if (output_interval > 0.5 * whole)
-    section.refuse("Output interval", "is more than half of " + shortest_number(whole) + " s",
-                   "Give a shorter one");
-  if (output_interval > 0. && whole / output_interval > most_intervals)
-    section.refuse("Output interval",
-                   "probes.csv would have more than ten million rows in " + shortest_number(whole) +
-                       " s",
-                   "Give a longer one");
-  for (const TerminalEntries &terminal : terminals)
-    if (terminal.period > 0. && period > 0. && std::abs(terminal.period - period) > 1e-6 * period)
-      section.refuse("Period",
-                     "is not the " + shortest_number(terminal.period) +
-                         " s after which the table of the terminal '" + terminal.node +
-                         "' repeats itself",
-                     "Correct it, or the 'Table period' of the terminal");
 }
 
 unsigned int NetworkParameters::n_cells(const VesselEntries &vessel) const
@@ -351,16 +230,17 @@ std::unique_ptr<Vessel> NetworkParameters::make_vessel_of(const VesselEntries &e
           const double thickness = entries.thickness(z),
                        wall_area = pi * thickness * (2. * entries.radius(z) + thickness);
           return NeoHookeanWall(area(z), wall_area, reference_pressure,
-                                entries.youngs_modulus / 3.);
+                                entries.wall.youngs_modulus / 3.);
         });
   return make_vessel<SquareRootWall>(
       description, liquid,
       [&](const double z)
       {
-        const LongWaveTube tube{entries.radius(z), entries.thickness(z), poissons_ratio,
-                                liquid.density, 0.};
+        const LongWaveTube tube{entries.radius(z), entries.thickness(z),
+                                entries.wall.poissons_ratio, liquid.density, 0.};
         const double speed =
-            korteweg_speed(tube, entries.youngs_modulus, Anchoring::throughout, wall_theory).real();
+            korteweg_speed(tube, entries.wall.youngs_modulus, Anchoring::throughout, wall_theory)
+                .real();
         return SquareRootWall(area(z), reference_pressure, liquid.density * speed * speed);
       });
 }
@@ -369,7 +249,11 @@ Network NetworkParameters::make() const
 {
   std::vector<Network::Edge> edges;
   for (const VesselEntries &vessel : vessels)
+  {
     edges.push_back({make_vessel_of(vessel), node(vessel.from), node(vessel.to)});
+    if (!vessel.wall.relaxation.is_elastic())
+      edges.back().vessel->set_relaxation(vessel.wall.relaxation);
+  }
   std::vector<TerminalLaw> laws(nodes.size());
   for (const TerminalEntries &terminal : terminals)
   {

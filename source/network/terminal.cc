@@ -1,6 +1,7 @@
 #include <continua/network/terminal.h>
 
 #include <continua/base/six_digits.h>
+#include <continua/time_integration/linear_relaxation.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -35,7 +36,11 @@ double find_area(const double start, const Surplus &surplus)
 } // namespace
 
 Terminal::Terminal(Vessel &vessel, const Vessel::End end, const TerminalLaw &law)
-    : wave(vessel, end), law(law), compliance_pressure(law.initial_pressure)
+    : wave(vessel, end),
+      law(law),
+      heart(law.heart),
+      compliance_pressure(law.initial_pressure),
+      last_pressure(law.initial_pressure)
 {
 }
 
@@ -72,15 +77,26 @@ double Terminal::area_with(const double time, const double source, const double 
   case Type::absorbing:
   {
     // The wave that comes in is that of the state at rest.
-    const double rest = wave.of().area_at(wave.at(), law.initial_pressure, start);
-    return find_area(start,
-                     [&](const double area)
-                     {
-                       const EndWave::Values values = wave.at_area(area);
-                       const auto [velocity, slope] = wave.leaving(rest, area);
-                       return std::make_pair(values.velocity - velocity,
-                                             values.velocity_slope - slope);
-                     });
+    const Vessel &vessel = wave.of();
+    const double memory = vessel.memory_pressure(wave.at()),
+                 rest = vessel.area_at(wave.at(), law.initial_pressure + memory, start);
+    return find_area(
+        start,
+        [&](const double area)
+        {
+          const EndWave::Values values = wave.at_area(area);
+          if (memory == 0.)
+          {
+            const auto [velocity, slope] = wave.leaving(rest, area);
+            return std::make_pair(values.velocity - velocity, values.velocity_slope - slope);
+          }
+          // The area of the wall law that has half the pressure of the memory, too.
+          const double behind = vessel.area_at(wave.at(), values.pressure + 0.5 * memory, area);
+          const auto [velocity, slope] = wave.leaving(rest, behind);
+          return std::make_pair(values.velocity - velocity,
+                                values.velocity_slope -
+                                    slope * values.stiffness / vessel.stiffness(wave.at(), behind));
+        });
   }
   default:
     return find_area(start,
@@ -93,30 +109,89 @@ double Terminal::area_with(const double time, const double source, const double 
   }
 }
 
+double
+Terminal::area_with_heart(const bool at_end_of_step, const double time, const double step) const
+{
+  const double start = wave.inside().area,
+               closed = find_area(start,
+                                  [&](const double area)
+                                  {
+                                    const EndWave::Values values = wave.at_area(area);
+                                    return std::make_pair(values.inflow, values.inflow_slope);
+                                  });
+  if (!heart.is_open(at_end_of_step, time, step, wave.at_area(closed).pressure))
+    return closed;
+  return find_area(
+      closed,
+      [&](const double area)
+      {
+        const EndWave::Values values = wave.at_area(area);
+        // The flow rate into the vessel is less than nothing into the node.
+        const Heart::Pressure inside = heart.pressure(at_end_of_step, time, step, -values.inflow);
+        return std::make_pair(
+            values.pressure - inside.value - heart.valve_resistance() * values.inflow,
+            values.stiffness + (inside.slope - heart.valve_resistance()) * values.inflow_slope);
+      });
+}
+
+Terminal::Behind Terminal::behind(const bool at_end_of_step, const double step) const
+{
+  if (law.type != TerminalLaw::Type::windkessel)
+    return {law.pressure_behind, law.resistance, 0.};
+  if (!at_end_of_step)
+    return {compliance_pressure, law.resistance, 0.};
+  // The charge of the compliance behind a flow rate that is linear over the step.
+  const LinearRelaxation charge(step, law.distal_resistance * law.compliance);
+  const double of_outflow = charge.of_new / law.compliance;
+  return {law.pressure_behind + charge.decay * (compliance_pressure - law.pressure_behind) +
+              charge.of_old / law.compliance * outflow_at_begin,
+          law.resistance + of_outflow, of_outflow};
+}
+
+Terminal::LinearLaw
+Terminal::linear_law(const bool at_end_of_step, const double time, const double step) const
+{
+  using Type = TerminalLaw::Type;
+  const double when = at_end_of_step ? time + step : time;
+  switch (law.type)
+  {
+  case Type::pressure:
+    return {0., 1., law.value(when), 1.};
+  case Type::flow_rate:
+    return {1., 0., -law.value(when), 1.};
+  case Type::closed:
+    return {1., 0., 0., 1.};
+  case Type::heart:
+  {
+    if (!valve_is_open)
+      return {1., 0., 0., 1.};
+    const Heart::Pressure inside = heart.pressure(at_end_of_step, time, step, 0.);
+    return {-(heart.valve_resistance() - inside.slope), 1., inside.value, 1.};
+  }
+  case Type::absorbing:
+  {
+    // About the last state, which satisfies the law.
+    const double impedance = wave.of().linear_end(wave.at()).impedance;
+    return {-impedance, 1., last_pressure - impedance * last_outflow, 0.5};
+  }
+  default:
+  {
+    const Behind what = behind(at_end_of_step, step);
+    return {-what.resistance, 1., what.source, 1.};
+  }
+  }
+}
+
 double Terminal::solve(const bool at_end_of_step, const double time, const double step)
 {
   wave.begin();
-  double source = law.pressure_behind, resistance = law.resistance, of_outflow = 0.;
-  if (law.type == TerminalLaw::Type::windkessel)
-  {
-    source = compliance_pressure;
-    if (at_end_of_step)
-    {
-      // The pressure of the compliance behind a flow rate that is linear over the step.
-      const double x = step / (law.distal_resistance * law.compliance), mean = -std::expm1(-x) / x,
-                   of_begin = law.distal_resistance *
-                              (x < 1e-3 ? x * (0.5 - x * (1. / 3. - x / 8.)) : mean - std::exp(-x));
-      of_outflow =
-          law.distal_resistance * (x < 1e-3 ? x * (0.5 - x * (1. / 6. - x / 24.)) : 1. - mean);
-      source = law.pressure_behind + std::exp(-x) * (compliance_pressure - law.pressure_behind) +
-               of_begin * outflow_at_begin;
-      resistance += of_outflow;
-    }
-  }
+  const auto [source, resistance, of_outflow] = behind(at_end_of_step, step);
   double area = 0.;
   try
   {
-    area = area_with(at_end_of_step ? time + step : time, source, resistance);
+    area = law.type == TerminalLaw::Type::heart
+               ? area_with_heart(at_end_of_step, time, step)
+               : area_with(at_end_of_step ? time + step : time, source, resistance);
   }
   catch (const std::domain_error &error)
   {
@@ -124,7 +199,15 @@ double Terminal::solve(const bool at_end_of_step, const double time, const doubl
                             " of the vessel '" + wave.of().name() + "': " + error.what());
   }
   wave.take(area);
-  const double outflow = wave.at_area(area).inflow;
+  const EndWave::Values values = wave.at_area(area);
+  const double outflow = values.inflow;
+  if (law.type == TerminalLaw::Type::heart)
+  {
+    heart.take(at_end_of_step, time, step, -outflow);
+    valve_is_open = outflow < 0.;
+  }
+  last_outflow = outflow;
+  last_pressure = values.pressure - 0.5 * wave.of().memory_pressure(wave.at());
   if (at_end_of_step)
     next_pressure = source + of_outflow * outflow;
   else
@@ -136,5 +219,6 @@ void Terminal::end_step()
 {
   if (law.type == TerminalLaw::Type::windkessel)
     compliance_pressure = next_pressure;
+  heart.end_step();
 }
 } // namespace Continua

@@ -18,7 +18,8 @@ const Words<Type> &terminal_type_words()
   static const Words<Type> words = {
       {"flow rate", Type::flow_rate},   {"pressure", Type::pressure},
       {"resistance", Type::resistance}, {"windkessel", Type::windkessel},
-      {"absorbing", Type::absorbing},   {"closed", Type::closed}};
+      {"heart", Type::heart},           {"absorbing", Type::absorbing},
+      {"closed", Type::closed}};
   return words;
 }
 
@@ -65,6 +66,9 @@ std::vector<std::pair<std::string, std::string>> TerminalEntries::types()
       {"windkessel",
        "A resistance before a compliance that stands beside a second resistance (the windkessel "
        "of three elements)."},
+      {"heart",
+       "A chamber with a pressure in proportion to its volume, by an elastance over time, with a "
+       "valve to the vessel and another one through which it fills."},
       {"absorbing",
        "The vessel goes on without limit: waves leave, and what comes in is the state at rest. The "
        "wave that leaves is taken as one without friction."},
@@ -106,6 +110,29 @@ TerminalEntries TerminalEntries::read(ParameterSection section)
                           "Pressure of the compliance at the start; left out: the initial pressure "
                           "of the network.");
     break;
+  case Type::heart:
+  {
+    constexpr Dimension elastance{1, -4, -2}, volume{0, 3, 0};
+    read_value(section, terminal, "Elastance", elastance,
+               "Pressure in the chamber over its volume less the unloaded one, over time; "
+               "positive.");
+    Heart::Law &heart = law.heart;
+    heart.elastance = law.value;
+    section.add("Unloaded volume", heart.unloaded_volume, volume,
+                "Of the chamber without pressure.", Range::not_negative());
+    heart.initial_volume = required_entry(section, "Initial volume", volume,
+                                          "Of the chamber at the start.", Range::positive());
+    heart.valve_resistance =
+        required_entry(section, "Valve resistance", Dimensions::flow_resistance,
+                       "Of the valve to the vessel, where it is open.", Range::not_negative());
+    heart.filling_pressure =
+        required_entry(section, "Filling pressure", Dimensions::pressure,
+                       "Before the valve through which the chamber fills.", Range());
+    heart.filling_resistance =
+        required_entry(section, "Filling resistance", Dimensions::flow_resistance,
+                       "Of this valve, where it is open.", Range::positive());
+    break;
+  }
   case Type::absorbing:
     read_initial_pressure(section, terminal,
                           "Pressure of the state at rest, from which the waves differ; left out: "

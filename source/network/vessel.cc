@@ -1,364 +1,10 @@
 #include <continua/network/vessel.h>
 
-#include <continua/base/six_digits.h>
-#include <continua/network/neo_hookean_wall.h>
-#include <continua/network/square_root_wall.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace Continua
 {
-namespace
-{
-double square(const double x)
-{
-  return x * x;
-}
-
-constexpr const char *remedy_of_load =
-    "Lower the flow rates or the pressures at the terminals, or give a stiffer wall";
-
-VesselProblem as_fast_as_the_wave(const double position)
-{
-  return {position, "the liquid is as fast as the wave there", remedy_of_load};
-}
-
-/// How alike three second differences are [1]: 1 in a smooth wave, 0 at a jump.
-double likeness(const double before, const double of_cell, const double behind)
-{
-  const double a = before * of_cell, b = of_cell * behind;
-  if (!(a > 0. && b > 0.))
-    return 0.;
-  const double sizes[] = {std::abs(before), std::abs(of_cell), std::abs(behind)};
-  const double largest = std::max(std::max(sizes[0], sizes[1]), sizes[2]),
-               smallest = std::min(std::min(sizes[0], sizes[1]), sizes[2]);
-  return std::min(std::max(4. * smallest / largest - 1., 0.), 1.);
-}
-
-/// The differences over a cell of the values of all.
-void set_differences(const std::vector<double> &values, std::vector<double> &differences)
-{
-  const std::size_t n = values.size();
-  if (n < 3)
-  {
-    differences.assign(n, n == 2 ? values[1] - values[0] : 0.);
-    return;
-  }
-  const auto first = [&](const std::size_t i) { return values[i + 1] - values[i]; };
-  double before = first(0), behind = first(1), last = behind - before, second = last;
-  differences[0] = before * behind > 0. ? before : 0.;
-  for (std::size_t i = 1; i + 1 < n; ++i)
-  {
-    const double further = i + 2 < n ? first(i + 1) : behind + second, next = further - behind,
-                 product = before * behind, mean = 0.5 * (before + behind),
-                 limited = product > 0. ? product / mean : 0., share = likeness(last, second, next);
-    differences[i] = limited + share * (mean - limited);
-    before = behind;
-    behind = further;
-    last = second;
-    second = next;
-  }
-  differences[n - 1] = before * (before - last) > 0. ? before : 0.;
-}
-
-template <typename Wall>
-class VesselWithWall : public Vessel
-{
-public:
-  VesselWithWall(const VesselDescription &description,
-                 const FlowLaw &liquid,
-                 const std::function<Wall(double)> &wall);
-
-  void rest(double pressure) override;
-  double largest_step() const override;
-  bool reconstruct() override;
-  void advance(double step, double share) override;
-  VesselProblem problem() const override;
-  double pressure(const End end, const double area) const override
-  {
-    return wall_at(end).pressure(area);
-  }
-  double stiffness(const End end, const double area) const override
-  {
-    return wall_at(end).stiffness(area);
-  }
-  double largest_pressure(const End end) const override { return wall_at(end).largest_pressure(); }
-  double area_at(const End end, const double pressure, const double start) const override
-  {
-    return wall_at(end).area(pressure, start);
-  }
-  const FlowLaw &flow_law() const override { return liquid; }
-
-private:
-  /// The state on one side of a face.
-  struct FaceState
-  {
-    double area, flow, pressure;
-    double stiffness; ///< dp/dA [Pa/m^2], for the speeds of waves
-  };
-  FlowLaw liquid;
-  std::vector<Wall> centres, faces;                              ///< by cell; by face
-  std::vector<double> weights;                                   ///< rho g height of the faces [Pa]
-  std::vector<double> heads, head_differences, flow_differences; ///< by cell
-  std::vector<FaceState> before, behind; ///< of each face, towards the start and the end
-  /// What crosses a face [m^3/s], and what its jump gives to the flow rates on its two sides.
-  struct Jump
-  {
-    double mass_flux, before, behind;
-  };
-  std::vector<Jump> jumps;
-  VesselProblem of_faces; ///< of the last reconstruct()
-
-  const Wall &wall_at(const End end) const
-  {
-    return end == End::start ? faces.front() : faces.back();
-  }
-  double pressure_at_centre(const unsigned int cell, const double of_area) const override
-  {
-    return centres[cell].pressure(of_area);
-  }
-  /// rho alpha U^2/2 [Pa].
-  double dynamic_pressure(const double of_area, const double of_flow) const
-  {
-    return 0.5 * liquid.density * liquid.momentum_correction * square(of_flow / of_area);
-  }
-  /// With numbers that are none if there is no such state.
-  FaceState face_state(const Wall &wall, double head, double of_flow, double near_area) const;
-  /// Whether the liquid is slower than the wave.
-  bool is_slow(const double of_area, const double of_flow, const double stiffness) const
-  {
-    return of_area > 0. && 2. * dynamic_pressure(of_area, of_flow) < of_area * stiffness;
-  }
-  /// Sets the states on the two faces of a cell with these differences over it.
-  bool set_faces_of(unsigned int cell, double head_difference, double flow_difference);
-  /// The change of alpha Q^2/A + integral of A dp/rho from one state to another one.
-  double flux_change(const Wall &wall, const FaceState &from, const FaceState &to) const;
-  Jump jump_between(const Wall &wall, const FaceState &left, const FaceState &right) const;
-  /// Between the state inside an end and that on it.
-  Jump jump_at(End end) const;
-};
-
-template <typename Wall>
-VesselWithWall<Wall>::VesselWithWall(const VesselDescription &description,
-                                     const FlowLaw &liquid,
-                                     const std::function<Wall(double)> &wall)
-    : Vessel(description),
-      liquid(liquid),
-      weights(description.n_cells + 1),
-      heads(description.n_cells),
-      head_differences(description.n_cells),
-      flow_differences(description.n_cells),
-      before(description.n_cells + 1),
-      behind(description.n_cells + 1),
-      jumps(description.n_cells + 1)
-{
-  const double cell = cell_length();
-  for (unsigned int i = 0; i < description.n_cells; ++i)
-    centres.push_back(wall((i + 0.5) * cell));
-  for (unsigned int f = 0; f <= description.n_cells; ++f)
-  {
-    faces.push_back(wall(std::min(f * cell, description.length)));
-    weights[f] = liquid.density * liquid.gravity * height(f * cell);
-  }
-}
-
-template <typename Wall>
-void VesselWithWall<Wall>::rest(const double pressure)
-{
-  const auto area_of = [&](const Wall &wall, const double weight)
-  {
-    const double found = wall.area(pressure - weight, wall.reference_area());
-    if (!(found > 0.))
-      throw std::domain_error("the wall of the vessel '" + name() +
-                              "' has no state under the initial pressure");
-    return found;
-  };
-  for (unsigned int i = 0; i < n_cells(); ++i)
-    area[i] = area_of(centres[i], 0.5 * (weights[i] + weights[i + 1]));
-  std::fill(flow.begin(), flow.end(), 0.);
-  for (const End end : {End::start, End::end})
-  {
-    const unsigned int face = end == End::start ? 0 : n_cells();
-    of_end(end).state = of_end(end).trace = {area_of(faces[face], weights[face]), 0.};
-  }
-}
-
-template <typename Wall>
-double VesselWithWall<Wall>::largest_step() const
-{
-  const double friction = liquid.friction();
-  double largest = std::numeric_limits<double>::infinity();
-  for (unsigned int i = 0; i < n_cells(); ++i)
-  {
-    const double velocity = flow[i] / area[i],
-                 fastest = std::abs(liquid.momentum_correction * velocity) +
-                           liquid.relative_speed(area[i] * centres[i].stiffness(area[i]), velocity);
-    largest = std::min(largest, std::min(cell_length() / fastest, area[i] / friction));
-  }
-  return largest;
-}
-
-template <typename Wall>
-typename VesselWithWall<Wall>::FaceState VesselWithWall<Wall>::face_state(
-    const Wall &wall, const double head, const double of_flow, const double near_area) const
-{
-  constexpr unsigned int most_iterations = 20;
-  constexpr double tolerance = 1e-9; // the error after the last correction is its square
-  const double factor = liquid.density * liquid.momentum_correction * square(of_flow);
-  double of_area = wall.area(head - 0.5 * factor / square(near_area), near_area);
-  for (unsigned int i = 0; i < most_iterations; ++i)
-  {
-    const PressureAndStiffness values = wall.both(of_area);
-    const double inverse = 1. / of_area, dynamic = 0.5 * factor * inverse * inverse,
-                 change = (head - values.pressure - dynamic) /
-                          (values.stiffness - 2. * dynamic * inverse);
-    of_area += change;
-    if (std::abs(change) < tolerance * of_area)
-      return {of_area, of_flow, head - 0.5 * factor / square(of_area), values.stiffness};
-  }
-  return {std::nan(""), of_flow, std::nan(""), std::nan("")};
-}
-
-template <typename Wall>
-bool VesselWithWall<Wall>::set_faces_of(const unsigned int cell,
-                                        const double head_difference,
-                                        const double flow_difference)
-{
-  head_differences[cell] = head_difference;
-  flow_differences[cell] = flow_difference;
-  const auto at_face = [&](const unsigned int face, const double side)
-  {
-    return face_state(faces[face], heads[cell] + side * head_difference - weights[face],
-                      flow[cell] + side * flow_difference, area[cell]);
-  };
-  behind[cell] = at_face(cell, -0.5);
-  before[cell + 1] = at_face(cell + 1, 0.5);
-  for (const FaceState *const state : {&behind[cell], &before[cell + 1]})
-    if (!is_slow(state->area, state->flow, state->stiffness))
-      return false;
-  return true;
-}
-
-template <typename Wall>
-bool VesselWithWall<Wall>::reconstruct()
-{
-  const unsigned int n = n_cells();
-  for (unsigned int i = 0; i < n; ++i)
-    heads[i] = centres[i].pressure(area[i]) + 0.5 * (weights[i] + weights[i + 1]) +
-               dynamic_pressure(area[i], flow[i]);
-  set_differences(heads, head_differences);
-  set_differences(flow, flow_differences);
-  of_faces = {};
-  for (unsigned int i = 0; i < n; ++i)
-    // At a jump the slopes, each limited for itself, may together be beyond the speed of the wave.
-    if (!set_faces_of(i, head_differences[i], flow_differences[i]) && !set_faces_of(i, 0., 0.))
-    {
-      const bool at_start = !is_slow(behind[i].area, behind[i].flow, behind[i].stiffness);
-      const unsigned int face = at_start ? i : i + 1;
-      of_faces = faces[face].largest_pressure() > heads[i] - weights[face]
-                     ? as_fast_as_the_wave(face * cell_length())
-                     : VesselProblem{face * cell_length(),
-                                     "the head is above the largest pressure of the wall, " +
-                                         six_digits(faces[face].largest_pressure()) + " Pa",
-                                     remedy_of_load};
-      return false;
-    }
-  of_end(End::start).trace = {behind.front().area, behind.front().flow};
-  of_end(End::end).trace = {before.back().area, before.back().flow};
-  return true;
-}
-
-template <typename Wall>
-double VesselWithWall<Wall>::flux_change(const Wall &wall,
-                                         const FaceState &from,
-                                         const FaceState &to) const
-{
-  // Simpson over the pressure.
-  const double middle = wall.area(0.5 * (from.pressure + to.pressure), 0.5 * (from.area + to.area));
-  return liquid.momentum_correction * (square(to.flow) / to.area - square(from.flow) / from.area) +
-         (from.area + 4. * middle + to.area) * (to.pressure - from.pressure) /
-             (6. * liquid.density);
-}
-
-template <typename Wall>
-typename VesselWithWall<Wall>::Jump VesselWithWall<Wall>::jump_between(const Wall &wall,
-                                                                       const FaceState &left,
-                                                                       const FaceState &right) const
-{
-  const auto speeds = [&](const FaceState &state)
-  {
-    const double velocity = state.flow / state.area, middle = liquid.momentum_correction * velocity,
-                 relative = liquid.relative_speed(state.area * state.stiffness, velocity);
-    return std::make_pair(middle - relative, middle + relative);
-  };
-  const auto [left_slow, left_fast] = speeds(left);
-  const auto [right_slow, right_fast] = speeds(right);
-  const double slow = std::min(std::min(left_slow, right_slow), 0.),
-               fast = std::max(std::max(left_fast, right_fast), 0.), width = fast - slow;
-  const double of_area = right.area - left.area, of_flow = right.flow - left.flow,
-               of_flux = flux_change(wall, left, right), diffusion = slow * fast / width;
-  return {left.flow - slow / width * of_flow + diffusion * of_area,
-          -slow / width * of_flux + diffusion * of_flow,
-          fast / width * of_flux - diffusion * of_flow};
-}
-
-template <typename Wall>
-typename VesselWithWall<Wall>::Jump VesselWithWall<Wall>::jump_at(const End end) const
-{
-  const State &state = of_end(end).state;
-  const Wall &wall = wall_at(end);
-  const FaceState on = {state.area, state.flow, wall.pressure(state.area), 0.};
-  if (end == End::start)
-    return {on.flow, 0., flux_change(wall, on, behind.front())};
-  return {on.flow, flux_change(wall, before.back(), on), 0.};
-}
-
-template <typename Wall>
-void VesselWithWall<Wall>::advance(const double step, const double share)
-{
-  const unsigned int n = n_cells();
-  const double ratio = step / cell_length(), friction = liquid.friction();
-  jumps.front() = jump_at(End::start);
-  jumps.back() = jump_at(End::end);
-  for (unsigned int f = 1; f < n; ++f)
-    jumps[f] = jump_between(faces[f], before[f], behind[f]);
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    const FaceState &left = behind[i], &right = before[i + 1];
-    // Of alpha U dQ + A dH/rho over the cell, by Simpson.
-    const double inside =
-        liquid.momentum_correction * (right.flow - left.flow) *
-            (left.flow / left.area + 4. * flow[i] / area[i] + right.flow / right.area) / 6. +
-        (left.area + 4. * area[i] + right.area) * head_differences[i] / (6. * liquid.density);
-    const double new_area = area[i] - ratio * (jumps[i + 1].mass_flux - jumps[i].mass_flux),
-                 new_flow = flow[i] - ratio * (jumps[i + 1].before + jumps[i].behind + inside) -
-                            step * friction * flow[i] / area[i];
-    area[i] = share * old_area[i] + (1. - share) * new_area;
-    flow[i] = share * old_flow[i] + (1. - share) * new_flow;
-  }
-}
-
-template <typename Wall>
-VesselProblem VesselWithWall<Wall>::problem() const
-{
-  for (unsigned int i = 0; i < n_cells(); ++i)
-  {
-    const double z = (i + 0.5) * cell_length();
-    if (area[i] <= 0.)
-      return {
-          z, "the tube is closed there",
-          "Lower the flow rate that is drawn off, raise the initial pressure, or give a stiffer "
-          "wall"};
-    if (!is_slow(area[i], flow[i], centres[i].stiffness(area[i])))
-      return as_fast_as_the_wave(z);
-  }
-  return of_faces;
-}
-} // namespace
-
 Vessel::Vessel(const VesselDescription &description)
     : description(description),
       area(description.n_cells),
@@ -387,8 +33,10 @@ double Vessel::volume() const
 Vessel::Values Vessel::values(const double z) const
 {
   const double cell = cell_length(), place = z / cell - 0.5;
-  const auto at_centre = [&](const unsigned int i) {
-    return Values{pressure_at_centre(i, area[i]), flow[i], area[i]};
+  const auto at_centre = [&](const unsigned int i)
+  {
+    return Values{pressure_at_centre(i, area[i]) + (past ? past->pressure_in_cell(i) : 0.), flow[i],
+                  area[i]};
   };
   const auto at_end = [&](const End end)
   {
@@ -427,26 +75,45 @@ void Vessel::set(const std::vector<double> &areas, const std::vector<double> &fl
   flow = flows;
   of_end(End::start).state = {areas.front(), flows.front()};
   of_end(End::end).state = {areas.back(), flows.back()};
+  // Of the faces, where there is such a state.
+  if (reconstruct())
+    for (const End end : {End::start, End::end})
+      of_end(end).state = of_end(end).trace;
+  if (past)
+    past->rest(flow);
+}
+
+void Vessel::set_relaxation(const WallRelaxation &relaxation)
+{
+  past = std::make_unique<VesselMemory>(n_cells(), cell_length(), flow_law(), relaxation);
 }
 
 void Vessel::begin_step()
 {
   old_area = area;
   old_flow = flow;
+  if (past)
+    past->begin_step();
 }
-
-template <typename Wall>
-std::unique_ptr<Vessel> make_vessel(const VesselDescription &description,
-                                    const FlowLaw &flow_law,
-                                    const std::function<Wall(double)> &wall)
+void Vessel::begin_memory_stage(const bool second, const double step)
 {
-  return std::make_unique<VesselWithWall<Wall>>(description, flow_law, wall);
+  const unsigned int n = n_cells();
+  std::vector<double> stiffnesses(n + 1, 0.);
+  if (past->wall_relaxes())
+    for (unsigned int f = 0; f <= n; ++f)
+      stiffnesses[f] = stiffness_at_face(f, f == 0   ? of_end(End::start).state.area
+                                            : f == n ? of_end(End::end).state.area
+                                                     : 0.5 * (area[f - 1] + area[f]));
+  past->begin_stage(second, step, area, flow, stiffnesses);
 }
 
-template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
-                                             const FlowLaw &,
-                                             const std::function<SquareRootWall(double)> &);
-template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
-                                             const FlowLaw &,
-                                             const std::function<NeoHookeanWall(double)> &);
+void Vessel::end_memory_stage(const double start_flow, const double end_flow)
+{
+  past->end_stage(start_flow, end_flow, flow);
+}
+
+void Vessel::add_memory(const bool second, const double step)
+{
+  past->add(second, step, of_end(End::start).state.flow, of_end(End::end).state.flow, flow);
+}
 } // namespace Continua

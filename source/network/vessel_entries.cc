@@ -44,8 +44,18 @@ VesselEntries VesselEntries::read(ParameterSection section)
   section.add("Wall thickness at end", vessel.thickness_at_end, Dimensions::length,
               "The same at the end; between them it is linear. Left out: as at the start.",
               Range::positive());
-  vessel.youngs_modulus = required_entry(section, "Young's modulus", Dimensions::pressure,
-                                         "Of the wall.", Range::positive());
+  section.add("Material", vessel.material,
+              "Of the wall: the name of a solid of the section Materials, of type hookean, "
+              "kelvin-voigt or prony. It stands in place of Young's modulus, and of the Poisson's "
+              "ratio and the relaxation of the section Network.");
+  if (vessel.material.empty())
+    vessel.youngs_modulus = required_entry(section, "Young's modulus", Dimensions::pressure,
+                                           "Of the wall, the long-term one. Required without a "
+                                           "Material.",
+                                           Range::positive());
+  else if (section.given("Young's modulus"))
+    section.refuse("Young's modulus", "the material '" + vessel.material + "' has one",
+                   "Remove this or the Material");
   section.add("Rise", vessel.rise, Dimensions::length,
               "How much higher the end of the vessel is than its start, for the pressure of "
               "gravity.");

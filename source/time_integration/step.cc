@@ -1,5 +1,7 @@
 #include <continua/time_integration/step.h>
 
+#include <continua/time_integration/linear_relaxation.h>
+
 #include <cmath>
 
 namespace Continua
@@ -30,20 +32,18 @@ BranchCoefficients Step::branch(const double relaxation_time) const
     // Exact for a velocity that is linear over the step.
     const double tau = relaxation_time;
     const double full = update == Update::trapezoidal ? size() : 2. / a0;
-    const double x = full / tau;
-    const double decay = std::exp(-x);
-    const double mean = -std::expm1(-x) / x;
-    result.velocity = tau * (1. - mean);
+    const LinearRelaxation exact(full, tau);
+    result.velocity = exact.of_new;
     if (update == Update::trapezoidal)
     {
-      result.old = decay;
-      result.velocity_old = tau * (mean - decay);
+      result.old = exact.decay;
+      result.velocity_old = exact.of_old;
     }
     else
     {
       // D in the middle is the mean of both ends, with U_new = 2 U - U_old.
-      result.old = 0.5 * (1. + decay);
-      result.velocity_old = tau * (mean - 0.5 * (1. + decay));
+      result.old = 0.5 * (1. + exact.decay);
+      result.velocity_old = exact.of_old - 0.5 * tau * (1. - exact.decay);
     }
     return result;
   }

@@ -197,26 +197,33 @@ void check_junction()
   network = network_of({parent, first, second}, laws);
   check::absolute("junction: passes", extreme_after(network, 2, 0.2, 0.39) / height,
                   2. * inflow / (inflow + outflow), 0.01);
+}
 
-  // High waves: no liquid is lost, and the total pressure is the same on all sides.
-  std::vector<TerminalLaw> high = laws;
-  high.front() = pulse(2e-4, 0.3);
-  network = network_of({parent, first, second}, high);
+/// High waves: no liquid is lost, and p + rho alpha U^2/2 is the same on all sides.
+void check_high_wave_at_junction(const double alpha)
+{
+  const std::string name = "junction, alpha " + std::to_string(alpha) + ": ";
+  const Tube parent = {0, 1, 1., 3e-4, 5., 100}, first = {1, 2, 1., 1e-4, 6., 100},
+             second = {3, 1, 1., 1.5e-4, 8., 100};
+  const TerminalLaw absorbing = end_of(TerminalLaw::Type::absorbing);
+  Network network = network_of({parent, first, second},
+                               {pulse(2e-4, 0.3), absorbing, absorbing, absorbing}, alpha);
   const double volume = network.volume();
   network.advance(0.35, 0.9);
-  check::absolute("junction: volume", network.volume() - volume - network.inflow(), 0.,
+  check::absolute(name + "volume", network.volume() - volume - network.inflow(), 0.,
                   1e-13 * volume);
   const auto head = [&](const unsigned int vessel, const Vessel::End end)
   {
     const Vessel::State &state = network.vessel(vessel).end_state(end);
     const double velocity = state.flow / state.area;
-    return network.vessel(vessel).pressure(end, state.area) + 0.5 * density * velocity * velocity;
+    return network.vessel(vessel).pressure(end, state.area) +
+           0.5 * alpha * density * velocity * velocity;
   };
   const double of_parent = head(0, Vessel::End::end);
-  check::is_true("junction: there is a flow",
+  check::is_true(name + "there is a flow",
                  network.vessel(0).end_state(Vessel::End::end).flow > 1e-5);
-  check::relative("junction: head of the first", head(1, Vessel::End::start), of_parent, 1e-10);
-  check::relative("junction: head of the second", head(2, Vessel::End::end), of_parent, 1e-10);
+  check::relative(name + "head of the first", head(1, Vessel::End::start), of_parent, 1e-10);
+  check::relative(name + "head of the second", head(2, Vessel::End::end), of_parent, 1e-10);
 }
 
 /// A tube that is cut, once with its second part reversed, does as the whole one.
@@ -344,6 +351,8 @@ UNIT_TEST(network)
   check_end_waves();
   check_reflections();
   check_junction();
+  check_high_wave_at_junction(1.);
+  check_high_wave_at_junction(4. / 3.);
   check_cut_tube();
   check::absolute("windkessel", error_of_windkessel(2e-10), 0., 1e-3);
   check::absolute("windkessel that fills within a step", error_of_windkessel(1e-16), 0., 1e-6);

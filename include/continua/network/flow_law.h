@@ -18,6 +18,7 @@ struct FlowLaw
   double viscosity = 0.004;        ///< mu [Pa s]
   double profile_exponent = 2.;    ///< zeta [1], positive
   double momentum_correction = 1.; ///< alpha [1], at least 1
+  bool remembers = false;          ///< the friction is Womersley's (friction_memory.h)
   double gravity = 9.81;           ///< [m/s^2], downwards
 
   static constexpr double pi = 3.14159265358979323846;

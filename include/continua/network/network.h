@@ -2,6 +2,7 @@
 #define continua_network_network_h
 
 #include <continua/network/junction.h>
+#include <continua/network/memory_nodes.h>
 #include <continua/network/terminal.h>
 #include <continua/network/vessel.h>
 
@@ -46,14 +47,18 @@ private:
   {
     Terminal terminal;
     double first_inflow;
+    unsigned int node;
   };
   std::vector<Edge> edges;
   std::vector<Loose> loose_ends;
   std::vector<Junction> junctions;
+  unsigned int n_nodes;
   double now = 0., entered = 0.;
   unsigned int steps = 0;
 
   void step(double length);
+  /// The implicit stage of vessels with a memory.
+  void solve_memory(bool at_end_of_step, double length);
   void solve_nodes(bool at_end_of_step, double length);
   void check_state() const;
 };

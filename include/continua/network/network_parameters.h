@@ -28,6 +28,7 @@ struct NetworkParameters
     unsigned int vessel_number = 0;
   };
   FlowLaw liquid;
+  WallRelaxation relaxation; ///< of vessels without a Material
   Wall wall = Wall::square_root;
   WallTheory wall_theory = WallTheory::thin;
   double poissons_ratio = 0.5;    ///< [1]
@@ -48,6 +49,8 @@ struct NetworkParameters
 
   /// Declares and reads. Throws InputError for what is wrong in an entry or a row.
   void read(ParameterSection section);
+  /// The walls of vessels that name one of these materials. Throws InputError.
+  void read_materials(ParameterSection materials);
   /// Numbers the nodes and the vessels of the stations. Throws InputError for what is no network:
   /// no vessel, a loose end without a terminal, a terminal at no loose end, parts that do not meet,
   /// heights that do not fit together, a station outside its vessel, times that are missing.
@@ -63,6 +66,7 @@ private:
   std::vector<double> heights; ///< of the nodes [m]
 
   unsigned int node(const std::string &name) const;
+  void read_liquid(ParameterSection &section);
   void read_wall(ParameterSection &section);
   void read_times(ParameterSection &section);
   void check_ends();

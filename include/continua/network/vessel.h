@@ -2,6 +2,7 @@
 #define continua_network_vessel_h
 
 #include <continua/network/flow_law.h>
+#include <continua/network/vessel_memory.h>
 
 #include <functional>
 #include <memory>
@@ -47,6 +48,10 @@ struct VesselProblem
  * conserved in a uniform tube up to a small error at jumps, which does not vanish with the cells:
  * about 1e-6 of what the ends give where the area doubles.
  *
+ * A wall that relaxes and a friction that remembers (VesselMemory) change the flow rates in
+ * implicit stages, before the explicit ones. Waves and heads are those of the wall law then; the
+ * pressure of the memory is added at the ends.
+ *
  * The flow must be slower than the wave. A cell on whose faces the linear head and flow rate have
  * no such state has constant ones.
  */
@@ -90,11 +95,36 @@ public:
   /// The state that the end had last.
   const State &end_state(const End end) const { return of_end(end).state; }
 
+  /// Before the first step: how the wall relaxes. Throws std::invalid_argument.
+  void set_relaxation(const WallRelaxation &relaxation);
+  /// None without set_relaxation(); a Network sees to it where the wall of another vessel relaxes
+  /// or the friction remembers.
+  VesselMemory *memory() { return past.get(); }
+  bool wall_relaxes() const { return past && past->wall_relaxes(); }
+
   /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error if there is
   /// no area for it.
   virtual void rest(double pressure) = 0;
   /// Any state, of the centres of the cells [m^2], [m^3/s].
   void set(const std::vector<double> &areas, const std::vector<double> &flows);
+
+  /// An end in an implicit stage: it has the pressure [Pa] less `impedance` [Pa s/m^3] times the
+  /// flow rate out of it that is more than VesselMemory::flow_inside(); and rho alpha U^2/2 [Pa].
+  struct LinearEnd
+  {
+    double pressure, impedance, dynamic_pressure;
+  };
+  virtual LinearEnd linear_end(End end) const = 0;
+  /// The implicit stage, with a memory: begin, then the flow rates of the ends are found, then end.
+  void begin_memory_stage(bool second, double step);
+  void end_memory_stage(double start_flow, double end_flow);
+  /// After advance(): what the memory gives.
+  void add_memory(bool second, double step);
+  /// Of the memory [Pa].
+  double memory_pressure(const End end) const
+  {
+    return past ? past->pressure(end == End::start ? 0 : n_cells()) : 0.;
+  }
 
   /// The largest step [s] for a Courant number 1, also of the friction.
   virtual double largest_step() const = 0;
@@ -131,11 +161,13 @@ protected:
   VesselDescription description;
   std::vector<double> area, flow;         ///< of the cells
   std::vector<double> old_area, old_flow; ///< at the begin of the step
+  std::unique_ptr<VesselMemory> past;
 
   const EndStates &of_end(const End end) const { return ends[end == End::start ? 0 : 1]; }
   EndStates &of_end(const End end) { return ends[end == End::start ? 0 : 1]; }
   /// [Pa] at the centre of a cell.
   virtual double pressure_at_centre(unsigned int cell, double area) const = 0;
+  virtual double stiffness_at_face(unsigned int face, double area) const = 0; ///< [Pa/m^2]
 
 private:
   EndStates ends[2];

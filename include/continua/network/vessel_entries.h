@@ -3,6 +3,8 @@
 
 #include <continua/base/parameter_section.h>
 
+#include <continua/network/wall_material.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,7 +18,9 @@ struct VesselEntries
   double length = 0.;                                    ///< [m]
   double radius_at_start = 0., radius_at_end = 0.;       ///< inner ones [m]
   double thickness_at_start = 0., thickness_at_end = 0.; ///< of the wall [m]
-  double youngs_modulus = 0.;                            ///< [Pa]
+  double youngs_modulus = 0.;                            ///< [Pa]; 0: that of the material
+  std::string material;                                  ///< of the section Materials; or none
+  WallMaterial wall;                                     ///< of it, set by NetworkParameters
   double rise = 0.; ///< how much higher its end is than its start [m]
   /// Throws the InputError of an entry ("Length", "To", ...) with problem and remedy.
   std::function<void(const std::string &, const std::string &, const std::string &)> refuse;

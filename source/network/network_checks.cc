@@ -1,0 +1,194 @@
+#include <continua/base/joined.h>
+#include <continua/base/nearest_name.h>
+#include <continua/base/units.h>
+#include <continua/network/network_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Continua
+{
+namespace
+{
+/// Of heights that close a loop, relative to the sum of the rises.
+constexpr double tolerance_of_heights = 1e-9;
+constexpr double most_cells = 1e6;     ///< of a vessel
+constexpr double most_intervals = 1e7; ///< of a beat, or of the run
+
+/// A remedy for a name that nothing has.
+std::string
+known_names(const std::string &name, const std::vector<std::string> &names, const std::string &kind)
+{
+  const std::string nearest = nearest_name(name, names);
+  return nearest.empty() ? "The " + kind + " are " + joined(names)
+                         : "Did you mean '" + nearest + "'?";
+}
+} // namespace
+
+unsigned int NetworkParameters::node(const std::string &name) const
+{
+  return std::find(nodes.begin(), nodes.end(), name) - nodes.begin();
+}
+
+void NetworkParameters::check(ParameterSection section)
+{
+  if (vessels.empty())
+    section.refuse_missing("the network has no vessel",
+                           "Give a 'Vessel table', or a section 'Vessels' with a subsection for "
+                           "each vessel");
+  for (auto vessel = vessels.begin(); vessel != vessels.end(); ++vessel)
+  {
+    if (std::any_of(vessels.begin(), vessel,
+                    [&](const VesselEntries &other) { return other.name == vessel->name; }))
+      vessel->refuse("", "two vessels are called '" + vessel->name + "'", "Rename one of them");
+    if (vessel->from == vessel->to)
+      vessel->refuse("To", "the vessel '" + vessel->name + "' ends at the node where it starts",
+                     "Name another node, or make two vessels of it");
+    if (std::abs(vessel->rise) > vessel->length)
+      vessel->refuse("Rise",
+                     "the vessel '" + vessel->name + "' is " + shortest_number(vessel->length) +
+                         " m long and cannot rise by " + shortest_number(vessel->rise) + " m",
+                     "Correct the rise, its unit, or the length");
+    for (const std::string &name : {vessel->from, vessel->to})
+      if (node(name) == nodes.size())
+        nodes.push_back(name);
+  }
+  for (const VesselEntries &vessel : vessels)
+    if (vessel.length / cell_length > most_cells)
+      section.refuse("Cell length",
+                     "the vessel '" + vessel.name + "' of " + shortest_number(vessel.length) +
+                         " m would have more than a million cells",
+                     "Give a longer one");
+  check_ends();
+  set_heights();
+  check_stations(section);
+  check_times(section);
+}
+
+void NetworkParameters::check_ends()
+{
+  std::vector<unsigned int> n_ends(nodes.size(), 0);
+  for (const VesselEntries &vessel : vessels)
+    for (const std::string &name : {vessel.from, vessel.to})
+      ++n_ends[node(name)];
+  std::vector<bool> has_terminal(nodes.size(), false);
+  for (const TerminalEntries &terminal : terminals)
+  {
+    const unsigned int number = node(terminal.node);
+    if (number == nodes.size())
+      terminal.refuse("no vessel starts or ends at a node '" + terminal.node + "'",
+                      known_names(terminal.node, nodes, "nodes"));
+    if (n_ends[number] > 1)
+      terminal.refuse("at the node '" + terminal.node + "' " + std::to_string(n_ends[number]) +
+                          " vessels meet",
+                      "Remove the terminal, or put it to a loose end");
+    if (has_terminal[number])
+      terminal.refuse("the node '" + terminal.node + "' has two terminals", "Remove one of them");
+    has_terminal[number] = true;
+  }
+  for (const VesselEntries &vessel : vessels)
+    for (const std::string key : {"From", "To"})
+    {
+      const std::string &name = key == "From" ? vessel.from : vessel.to;
+      if (n_ends[node(name)] == 1 && !has_terminal[node(name)])
+        vessel.refuse(key,
+                      "the vessel '" + vessel.name + "' has a loose end at the node '" + name + "'",
+                      "Say in 'Terminals/" + name +
+                          "' what stands there (Type = closed, windkessel, ...), or name the node "
+                          "of another vessel");
+    }
+}
+
+void NetworkParameters::set_heights()
+{
+  heights.assign(nodes.size(), std::nan(""));
+  heights.front() = 0.;
+  double sum = 0.;
+  for (const VesselEntries &vessel : vessels)
+    sum += std::abs(vessel.rise);
+  bool changed = true;
+  while (changed)
+  {
+    changed = false;
+    for (const VesselEntries &vessel : vessels)
+    {
+      double &from = heights[node(vessel.from)], &to = heights[node(vessel.to)];
+      if (std::isnan(from) == std::isnan(to))
+        continue;
+      changed = true;
+      if (std::isnan(to))
+        to = from + vessel.rise;
+      else
+        from = to - vessel.rise;
+    }
+  }
+  for (const VesselEntries &vessel : vessels)
+  {
+    const double from = heights[node(vessel.from)], to = heights[node(vessel.to)];
+    if (std::isnan(from))
+      vessel.refuse("From",
+                    "the vessel '" + vessel.name + "' is not connected with the vessel '" +
+                        vessels.front().name + "'",
+                    "Let them meet in a node, or make a file for each network");
+    if (std::abs(from + vessel.rise - to) > tolerance_of_heights * sum)
+      vessel.refuse("Rise",
+                    "along a loop with the vessel '" + vessel.name +
+                        "' the rises have a sum that is not zero",
+                    "Correct the rise of a vessel of the loop");
+  }
+}
+
+void NetworkParameters::check_stations(ParameterSection &section)
+{
+  std::vector<std::string> names;
+  for (const VesselEntries &vessel : vessels)
+    names.push_back(vessel.name);
+  if (stations.empty())
+    section.refuse_missing("the network has no station where values are recorded",
+                           "Write a section 'Stations' with a subsection for each station");
+  for (Station &station : stations)
+  {
+    const ParameterSection of_station = section.subsection("Stations").subsection(station.name);
+    station.vessel_number = std::find(names.begin(), names.end(), station.vessel) - names.begin();
+    if (station.vessel_number == names.size())
+      of_station.refuse("Vessel", "there is no vessel '" + station.vessel + "'",
+                        known_names(station.vessel, names, "vessels"));
+    const double length = vessels[station.vessel_number].length;
+    if (station.position > length)
+      of_station.refuse("Position",
+                        "the vessel '" + station.vessel + "' is " + shortest_number(length) +
+                            " m long",
+                        "Give a distance from its start up to this length");
+  }
+}
+
+void NetworkParameters::check_times(const ParameterSection &section)
+{
+  if (period > 0. && section.given("End time"))
+    section.refuse("End time", "the run ends when a beat is like the one before",
+                   "Remove the entry, or set Period = 0");
+  if (period == 0. && !(end_time > 0.))
+    section.refuse_missing("the run has no end",
+                           "Give the 'Period' of its beats, or an 'End time'");
+  if (period == 0.)
+    for (const std::string key : {"Most beats", "Tolerance"})
+      if (section.given(key))
+        section.refuse(key, "there are no beats", "Remove the entry, or give a Period");
+  const double whole = period > 0. ? period : end_time;
+  if (output_interval > 0.5 * whole)
+    section.refuse("Output interval", "is more than half of " + shortest_number(whole) + " s",
+                   "Give a shorter one");
+  if (output_interval > 0. && whole / output_interval > most_intervals)
+    section.refuse("Output interval",
+                   "probes.csv would have more than ten million rows in " + shortest_number(whole) +
+                       " s",
+                   "Give a longer one");
+  for (const TerminalEntries &terminal : terminals)
+    if (terminal.period > 0. && period > 0. && std::abs(terminal.period - period) > 1e-6 * period)
+      section.refuse("Period",
+                     "is not the " + shortest_number(terminal.period) +
+                         " s after which the table of the terminal '" + terminal.node +
+                         "' repeats itself",
+                     "Correct it, or the 'Table period' of the terminal");
+}
+} // namespace Continua
