@@ -16,6 +16,7 @@
 #include <continua/program/examples.h>
 #include <continua/program/parameter_catalogue.h>
 #include <continua/program/parameter_templates.h>
+#include <continua/program/run_report.h>
 #include <continua/program/script.h>
 #include <continua/program/several_runs.h>
 #include <continua/program/unknown_names.h>
@@ -43,6 +44,9 @@ namespace
 using namespace Continua;
 
 constexpr int status_done = 0;
+
+/// Whether a study has started this process as one of its runs, which make no reports.
+bool is_run_of_a_study = false;
 
 ParameterFile::Style style_of(const std::string &name)
 {
@@ -92,6 +96,28 @@ void print_all(const std::string &text)
     throw RunError(std::string("cannot write to the standard output: ") + std::strerror(error));
 }
 
+/// Performs the analysis; its folder, which is no longer locked.
+std::string perform_in_folder(Analysis &analysis,
+                              const ParameterFile &file,
+                              const CommandLine &command_line,
+                              const MPI_Comm communicator)
+{
+  // Until here a signal ends the program at once: nothing is written.
+  const SignalWatch watch;
+  const OutputDirectory directory(command_line.output_directory,
+                                  command_line.restart     ? OutputDirectory::Mode::restart
+                                  : command_line.overwrite ? OutputDirectory::Mode::overwrite
+                                                           : OutputDirectory::Mode::fresh,
+                                  communicator, file.input_files());
+  // Before anything is written: a checkpoint that cannot be used leaves the folder as it is.
+  if (command_line.restart && analysis.has_checkpoints())
+    analysis.check_restart(directory);
+  Log log(communicator);
+  Summary summary;
+  analysis.perform(directory, log, summary);
+  return directory.path();
+}
+
 /// Reads what the file asks for and performs it; --print-parameters and --validate only read.
 void perform_file(const CommandLine &of_user, const MPI_Comm communicator)
 {
@@ -133,19 +159,9 @@ void perform_file(const CommandLine &of_user, const MPI_Comm communicator)
     print_all(printable(command_line.mesh_file) + ": written\n");
     return;
   }
-  // Until here a signal ends the program at once: nothing is written.
-  const SignalWatch watch;
-  const OutputDirectory directory(command_line.output_directory,
-                                  command_line.restart     ? OutputDirectory::Mode::restart
-                                  : command_line.overwrite ? OutputDirectory::Mode::overwrite
-                                                           : OutputDirectory::Mode::fresh,
-                                  communicator, file.input_files());
-  // Before anything is written: a checkpoint that cannot be used leaves the folder as it is.
-  if (command_line.restart && analysis->has_checkpoints())
-    analysis->check_restart(directory);
-  Log log(communicator);
-  Summary summary;
-  analysis->perform(directory, log, summary);
+  const std::string folder = perform_in_folder(*analysis, file, command_line, communicator);
+  if (!is_run_of_a_study && asks_for_report(file))
+    make_report(folder, communicator);
 }
 
 /// --new: lists the templates, prints one, or writes it with the files that it reads.
@@ -353,6 +369,7 @@ int main(int argc, char **argv)
   std::vector<char *> arguments(argv, argv + argc);
   if (is_run_of_a_pool(arguments))
   {
+    is_run_of_a_study = true;
     // What the run states of its command line is what a user would have typed.
     const int n_arguments = static_cast<int>(arguments.size());
     arguments.push_back(nullptr);

@@ -47,6 +47,11 @@ def numbers(found, column, rows=None):
     return values if rows is None else values[rows]
 
 
+def texts(found, column):
+    """The cells of a column as texts, "" where there is none."""
+    return ["" if cell is None or cell != cell else str(cell) for cell in found[column]]
+
+
 def draw_fits(sheet, found):
     """A figure for each record: open markers with their noise, the fit as a line, and below them the residuals with the band of the
     noise."""
@@ -92,7 +97,7 @@ def draw_correlation(sheet, found):
         sheet.notes.append("correlation (of one parameter alone)")
         return
     figure, axes = sheet.figure(0.35 + 0.07 * len(names))
-    image = axes.imshow(matrix, cmap="RdBu", vmin=-1, vmax=1)
+    image = axes.imshow(matrix, cmap="RdBu_r", vmin=-1, vmax=1)
     for i, j in numpy.ndindex(matrix.shape):
         text = f"{matrix[i, j]:.2f}"
         # 0.998 is not 1: how near it is decides.
@@ -154,20 +159,23 @@ def draw_expected_errors(sheet, found):
     """For each parameter: one station more, over its position, a curve a field; two stations more, a map for each pair of fields."""
     ranks = numbers(found, "rank")
     position, second = numbers(found, "position"), numbers(found, "second position")
-    single = [i for i in range(len(ranks)) if ranks[i] > 0 and numpy.isfinite(position[i]) and not numpy.isfinite(second[i])]
+    first_fields, second_fields = texts(found, "field"), texts(found, "second field")
+    single = [i for i in range(len(ranks)) if ranks[i] > 0 and numpy.isfinite(position[i]) and not second_fields[i]]
     pairs = [i for i in range(len(ranks)) if numpy.isfinite(position[i]) and numpy.isfinite(second[i])]
     alone = numpy.flatnonzero(ranks == 0)
+    # Material tests have no place: each is a line across the picture.
+    tests = [i for i in range(len(ranks)) if ranks[i] > 0 and first_fields[i] and not second_fields[i] and not numpy.isfinite(position[i])]
     for name, (column, unit) in of_errors(found).items():
         errors = numbers(found, column)
         if single:
-            draw_errors_of_one(sheet, name, unit, found, errors, single, alone)
+            draw_errors_of_one(sheet, name, unit, found, errors, single, alone, tests)
         if pairs:
             draw_errors_of_two(sheet, name, unit, found, errors, pairs)
     if not single and not pairs:
         sheet.notes.append("expected errors (no candidate is one station or two)")
 
 
-def draw_errors_of_one(sheet, name, unit, found, errors, rows, alone):
+def draw_errors_of_one(sheet, name, unit, found, errors, rows, alone, tests):
     position = numbers(found, "position")
     finite = [errors[i] for i in rows if numpy.isfinite(errors[i])]
     if not finite:
@@ -181,8 +189,11 @@ def draw_errors_of_one(sheet, name, unit, found, errors, rows, alone):
         look = plot_style.of_run(i)
         axes.plot(place_factor * position[chosen], factor * errors[chosen], marker=plot_style.MARKERS[i % 8] or "o", markersize=4,
                   label=field, **look)
+    for i, row in enumerate(tests):
+        if numpy.isfinite(errors[row]):
+            axes.axhline(factor * errors[row], color=plot_style.COLOURS[(i + 4) % len(plot_style.COLOURS)], linewidth=0.9, linestyle="--", label=f"with {found['field'][row]}")
     if len(alone) and numpy.isfinite(errors[alone[0]]):
-        axes.axhline(factor * errors[alone[0]], color="#7F7F7F", linewidth=0.9, linestyle=":", label="stations of the file alone")
+        axes.axhline(factor * errors[alone[0]], color="#7F7F7F", linewidth=0.9, linestyle=":", label="records of the file alone")
     axes.set_ylim(bottom=0)
     axes.set_xlabel(plot_style.axis_label("position of the added station", place_unit))
     axes.set_ylabel(plot_style.axis_label(f"expected standard error of {name}", axis_unit))

@@ -68,7 +68,7 @@ def draw_network(sheet, names, nodes, vessels):
             a, b = piece / n_pieces, (piece + 1) / n_pieces
             width = radius + (a + b) / 2 * (radius_at_end - radius)
             axes.plot([x + a * (x_end - x), x + b * (x_end - x)], [y + a * (y_end - y), y + b * (y_end - y)],
-                      color=plot_style.COLOURS[0], linewidth=max(WIDEST * width / widest, 0.6), solid_capstyle="butt")
+                      color=plot_style.COLOURS[0], linewidth=max(WIDEST * width / widest, 0.6), solid_capstyle="round")  # without gaps between the pieces
         if number < len(names) and len(vessels) <= 12:
             axes.annotate(names[number], ((x + x_end) / 2, (y + y_end) / 2), xytext=(0, 5), textcoords="offset points", ha="center", fontsize=7)
     axes.plot([x for x, _ in where.values()], [y for _, y in where.values()], "o", color=plot_style.COLOURS[1], markersize=2.5)
@@ -76,6 +76,8 @@ def draw_network(sheet, names, nodes, vessels):
         for node, (x, y) in where.items():
             if node < len(nodes):
                 axes.annotate(nodes[node], (x, y), xytext=(0, -9), textcoords="offset points", ha="center", fontsize=6.5)
+    axes.set_title("Width of a line: radius of the vessel, not to scale; dots: junctions and ends", fontsize=8, loc="left")
+    axes.spines["left"].set_visible(False)
     axes.set_xlabel("Distance along the vessels [m]")
     axes.set_yticks([])
     axes.margins(x=0.06, y=0.4 if n_rows < 5 else 0.03)

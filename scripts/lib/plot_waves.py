@@ -12,6 +12,7 @@ import tables
 import wave_tables
 
 N_MARKERS = 40  # of a measured curve
+LEVELS = numpy.linspace(-1, 1, 11)  # of the lines in space and time, over the largest pressure
 OVERLAP = 1.6  # height of the tallest curve, in distances of stations
 MOST_THEORIES = 3  # in one picture of several runs
 N_PLACES = 200  # columns of the space-time picture
@@ -155,7 +156,7 @@ def draw_stations(sheet, name, entries, normalised, several, probe=""):
     figure, all_axes = sheet.figure(1.3 if compared else 0.85, nrows=2 if compared else 1, sharex=True, squeeze=False,
                                     gridspec_kw={"height_ratios": [0.85, 0.45] if compared else [1]})
     axes = all_axes[0, 0]
-    handles, header, columns = [], [], []
+    handles, others, header, columns = [], {}, [], []
     for i, ((run, field, scale), factor) in enumerate(zip(entries, factors)):
         label = f"{run['title']}: " if several else ""
         time = field.time / scale
@@ -173,13 +174,17 @@ def draw_stations(sheet, name, entries, normalised, several, probe=""):
             for position, values in zip(field.positions, curves):
                 every = {"markevery": marked(time, values)} if source == "measured" else {}
                 axes.plot(time_factor * time, place_factor * (position + height * factor * values), **{**look, **every})
-            shared = any(repeats(entries, j, source) for j in range(len(entries)))
-            handles.append(matplotlib.lines.Line2D([], [], label=source if shared else f"{label}{source}",
-                                                   **{key: value for key, value in look.items() if key != "markevery"}))
+            # A line for each run, and one for all theories: their colours tell whose they are.
+            if several and source != "simulated" and not is_result:
+                others.setdefault(source, {**look, "color": "#555555"} if source == "theory" else look)
+                continue
+            text = run["title"] if several else source
+            handles.append(matplotlib.lines.Line2D([], [], label=text, **{key: value for key, value in look.items() if key != "markevery"}))
         if i in compared:
             header += [f"{label}{position:g} m: {name}, simulated - measured [{'1' if normalised else unit}]"
                        for position in field.positions]
             columns += list(factor * compared[i])
+    handles += [matplotlib.lines.Line2D([], [], label=source, **look) for source, look in others.items()]
     axes.set_xlim(0, time_factor * end)
     scale_bar(axes, largest, place_factor * height, "1" if normalised else unit, name)
     if compared:
@@ -212,7 +217,7 @@ def draw_differences(axes, entries, compared, factors, several, unit, name, scal
     """Simulated minus measured, in the order of the panel above and with a scale of its own."""
     time_factor, place_factor, distance = scales
     largest = max(numpy.nanmax(numpy.abs(difference)) * factors[i] for i, difference in compared.items())
-    height = 0.5 * OVERLAP * distance / largest if largest > 0 else 0.0
+    height = 0.48 * distance / largest if largest > 0 else 0.0  # noise of neighbours would hide each other
     for i, difference in compared.items():
         _, field, scale = entries[i]
         for position, values in zip(field.positions, difference):
@@ -248,7 +253,7 @@ def scale_bar(axes, largest, height, unit, name, quantity=None):
               transform=axes.get_yaxis_transform())
     axes.set_ylim(low, high)
     unit = plot_style.axis_label("", axis_unit).strip(" []")
-    pulse = "height of the first pulse" if value == 1 else f"{value:g} of the height of the first pulse"
+    pulse = "height of the first pulse" if value == 1 else f"{value:g} times the height of the first pulse"
     text = f"{name},\n{pulse}" if axis_unit == "1" else f"{name}, {factor * value:.4g} {unit}"
     axes.annotate(text, (1.02, middle), xycoords=axes.get_yaxis_transform(), xytext=(4, 0),
                   textcoords="offset points", rotation=90, va="center", ha="left", fontsize=8)
@@ -307,7 +312,7 @@ def draw_space_time(sheet, waves, several, probe=""):
         step = max(1, len(time) // 600)
         extent = (place_factor * places[0], place_factor * places[-1], time_factor * time[0], time_factor * time[-1])
         image = axes.imshow(factor * values.T[::step], origin="lower", aspect="auto", extent=extent, **look)
-        levels = factor * largest * numpy.linspace(-1, 1, 11)
+        levels = factor * largest * LEVELS
         drawn = factor * values.T[::step]
         levels = levels[(levels > numpy.nanmin(drawn)) & (levels < numpy.nanmax(drawn))]
         if levels.size:
@@ -326,7 +331,10 @@ def draw_space_time(sheet, waves, several, probe=""):
         axes.set_ylabel(plot_style.axis_label("time", time_unit))
     if probe and not several:
         all_axes[0, 0].set_title(f"Probe {probe}", fontsize=8.5, loc="left")
-    figure.colorbar(image, ax=all_axes, label=plot_style.axis_label("pressure", unit), shrink=0.9, aspect=30)
+    bar = figure.colorbar(image, ax=all_axes, label=plot_style.axis_label("pressure", unit), shrink=0.9, aspect=30)
+    for level in factor * largest * LEVELS:
+        if look["vmin"] < level < look["vmax"]:
+            bar.ax.axhline(level, color="#000000", linewidth=0.3)  # of the lines in the picture
     save(sheet, figure, plot_style.file_name(f"space time pressure {probe}"), header, columns)
 
 

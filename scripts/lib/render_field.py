@@ -319,7 +319,7 @@ OF_WALLS = ("wall_shear_stress", "time_averaged_wall_shear_stress", "oscillatory
 NOT_THERE = (0.85, 0.85, 0.85)
 LONG = 1.5  # times as long along x as high, from which a body lies from left to right
 FINEST_MESH = 7.0  # pixels of the middle edge of a cell, below which the mesh's lines would cover the colours
-MAPS = {"liquid": ("viridis", "RdBu_r"), "solid": ("cividis", "PuOr_r")}  # of one sign, of both
+MAPS = {"liquid": ("viridis", "RdBu_r"), "solid": ("copper", "PuOr_r")}  # of one sign, of both
 
 
 def extremes(values, solid, field):

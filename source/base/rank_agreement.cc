@@ -2,6 +2,7 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/input_file.h>
+#include <continua/base/lack_of_memory.h>
 #include <continua/base/parameter_file.h>
 #include <continua/base/rank_agreement.h>
 
@@ -121,8 +122,7 @@ std::string text_of_failure(const std::exception &error)
       dynamic_cast<const InputError *>(&error) != nullptr)
     return error.what();
   if (dynamic_cast<const std::bad_alloc *>(&error) != nullptr)
-    return "the memory of the machine is not enough for this run. Take fewer cells or steps, or "
-           "another machine.";
+    return lack_of_memory + " for this run. Take fewer cells or steps, or another machine.";
   // The rest are texts of libraries, and of parts of Continua that know of no run.
   return std::string("the run failed, and Continua has no better reason than the text below. If "
                      "the parameter file is right, please report it with this text.\n") +

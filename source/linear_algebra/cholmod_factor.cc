@@ -1,5 +1,6 @@
 #include <continua/base/input_error.h>
 #include <continua/base/kept_signal_action.h>
+#include <continua/base/lack_of_memory.h>
 #include <continua/linear_algebra/cholmod_factor.h>
 #include <continua/linear_algebra/factor_panels.h>
 #include <continua/linear_algebra/singular_matrix.h>
@@ -69,7 +70,7 @@ struct CholmodFactor::Data
       return;
     std::string reason = "an internal error";
     if (common.status == CHOLMOD_OUT_OF_MEMORY)
-      reason = "out of memory";
+      reason = lack_of_memory;
     else if (common.status == CHOLMOD_TOO_LARGE)
       reason = "the factor has more entries than a 32-bit index can count; choose mumps";
     else if (common.status == CHOLMOD_NOT_POSDEF)

@@ -1,5 +1,6 @@
 #include <continua/base/input_error.h>
 #include <continua/base/kept_signal_action.h>
+#include <continua/base/lack_of_memory.h>
 #include <continua/base/memory_use.h>
 #include <continua/linear_algebra/mumps_solver.h>
 #include <continua/linear_algebra/singular_matrix.h>
@@ -39,7 +40,7 @@ std::string reason(const int code)
   case -5:
   case -7:
   case -13:
-    return "out of memory";
+    return lack_of_memory;
   case -8:
   case -9:
   case -17:

@@ -1,5 +1,6 @@
 #include <continua/base/input_error.h>
 #include <continua/base/kept_signal_action.h>
+#include <continua/base/lack_of_memory.h>
 #include <continua/linear_algebra/packed_triangle.h>
 #include <continua/linear_algebra/umfpack_factor.h>
 
@@ -26,7 +27,7 @@ void check_umfpack(const Index status, const std::string &phase)
   if (status == UMFPACK_WARNING_singular_matrix)
     reason = "the matrix is singular";
   else if (status == UMFPACK_ERROR_out_of_memory)
-    reason = "out of memory";
+    reason = lack_of_memory;
   else if (status == UMFPACK_ERROR_invalid_matrix)
     reason = "the matrix is invalid";
   throw RunError("UMFPACK, " + phase + ": " + reason + " (status " + std::to_string(status) + ").");

@@ -2,6 +2,7 @@
 
 #include <continua/base/name_choice.h>
 #include <continua/base/parameter_text.h>
+#include <continua/postprocess/report_entry.h>
 
 #include <utility>
 
@@ -68,6 +69,7 @@ void OutputParameters::read(ParameterSection section)
       "Whether the parts of a cell are written as one curved cell (ParaView 5.5 and later)");
   section.add("Files per state", files_per_state,
               "Files into which the ranks write a state of the fields together; 0: one a rank", 0);
+  read_report_entry(section);
   further_fields = read_further_fields(section);
   section.add(
       "Averages from", wall_shear_window.begin, time,

@@ -19,6 +19,12 @@ namespace
 constexpr std::array<const char *, 2> names_of_scripts = {{"plot", "report"}};
 } // namespace
 
+std::string script_file(const std::string &name)
+{
+  // Beside the examples: share/continua of a prefix, or the checkout.
+  return (std::filesystem::path(examples_folder()).parent_path() / "scripts" / name).string();
+}
+
 std::optional<int> become_script(const int argc, char **argv)
 {
   if (argc < 2 || std::none_of(names_of_scripts.begin(), names_of_scripts.end(),
@@ -27,9 +33,7 @@ std::optional<int> become_script(const int argc, char **argv)
   const std::string name = argv[1];
   try
   {
-    // Beside the examples: share/continua of a prefix, or the checkout.
-    const std::string script =
-        (std::filesystem::path(examples_folder()).parent_path() / "scripts" / name).string();
+    const std::string script = script_file(name);
     ::execv(script.c_str(), argv + 1);
     throw InputError({"command line", 0}, name,
                      script + " cannot be started: " + std::strerror(errno),

@@ -77,9 +77,9 @@ void Identification::read_case()
                                             "Add a probe with Stations, Fields and Measured");
   read_sought();
   measured = StationRecords::measured(input, parameters, sought, section(), by_theory);
-  read_tests();
   if (parameters.is_design())
     expected = StationRecords::expected(input, parameters, section());
+  read_tests();
   read_candidates();
 }
 
@@ -109,6 +109,7 @@ void Identification::read_sought()
 void Identification::read_tests()
 {
   ParameterSection materials = file.root().subsection("Materials");
+  std::vector<MaterialTest> made;
   for (const MaterialTest &test : parameters.tests)
   {
     if (!materials.has_subsection(test.material))
@@ -117,21 +118,42 @@ void Identification::read_tests()
           .subsection(test.name)
           .refuse("Material", "the file has no material '" + test.material + "'",
                   choices(test.material, materials.subsections()));
+    if (parameters.is_design())
+      expected.records.push_back(test.data_record());
+    // A design without data at the stations asks what they would add: there is nothing to fit.
+    if (!test.is_made() || (parameters.is_design() && measured.sources.empty()))
+      continue;
     measured.records.push_back(test.data_record());
+    made.push_back(test);
   }
-  tests = std::make_unique<MaterialTestModel>(without_data(command_line), model_of(general.model),
-                                              parameters.tests);
+  tests = std::make_unique<MaterialTestModel>(model_of_tests(made));
+}
+
+MaterialTestModel Identification::model_of_tests(const std::vector<MaterialTest> &chosen) const
+{
+  return {without_data(command_line), model_of(general.model), chosen};
+}
+
+std::string Identification::origin_of(const unsigned int record) const
+{
+  const std::size_t n_of_stations = expected.sources.size();
+  return record < n_of_stations ? expected.sources[record].probe_name
+                                : parameters.tests[record - n_of_stations].name;
 }
 
 void Identification::read_candidates()
 {
+  std::vector<std::string> names = probes;
+  for (const MaterialTest &test : parameters.tests)
+    names.push_back(test.name);
   for (const std::string &name : parameters.candidates)
-    if (std::find(probes.begin(), probes.end(), name) == probes.end())
-      section().refuse("Candidates", "no probe with stations is called '" + name + "'",
-                       choices(name, probes));
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      section().refuse("Candidates",
+                       "no probe with stations and no material test is called '" + name + "'",
+                       choices(name, names));
   for (unsigned int r = 0; r < expected.records.size(); ++r)
-    if (std::find(parameters.candidates.begin(), parameters.candidates.end(),
-                  expected.sources[r].probe_name) != parameters.candidates.end())
+    if (std::find(parameters.candidates.begin(), parameters.candidates.end(), origin_of(r)) !=
+        parameters.candidates.end())
       candidates.push_back({r});
     else
       always.push_back(r);

@@ -105,9 +105,10 @@ void read_design(ParameterSection &section, IdentificationParameters &parameters
   section.add("Sampling interval", parameters.sampling_interval, Dimensions::time,
               "Of the records of an experiment that is to be designed; 0: Time/Time step.",
               Range::not_negative());
-  section.add("Candidates", parameters.candidates,
-              "Probes whose stations and fields may be added to the experiment: each of their "
-              "records is ranked.");
+  section.add(
+      "Candidates", parameters.candidates,
+      "Probes whose stations and fields may be added to the experiment, and material tests: "
+      "each of their records is ranked.");
   section.add("Records to add", parameters.n_added,
               "How many candidates are added together: all sets of so many are ranked [1].", 1, 4);
   section.add("Criterion", parameters.criterion,
@@ -189,14 +190,7 @@ void IdentificationParameters::check(ParameterSection root) const
         .refuse(other_entries.front().first, "there is no other model",
                 "Set Model error, or remove the entry");
   for (const MaterialTest &test : tests)
-  {
-    ParameterSection of_test = section.subsection("Material tests").subsection(test.name);
-    of_test.require("Relaxation table");
-    if (is_design())
-      of_test.refuse("", "a test of the material is no part of the design of an experiment",
-                     "Remove the subsection, or the subsection 'Expected noise'; what a test says "
-                     "of a number can be its Prior mean and Prior standard deviation");
-  }
+    test.check(section.subsection("Material tests").subsection(test.name), is_design());
   const auto is_from_rest = [](const auto &deviation) { return deviation.second == "from rest"; };
   if (std::any_of(noise.deviations.begin(), noise.deviations.end(), is_from_rest))
     section.require("Rest until");

@@ -143,6 +143,8 @@ void IdentificationReport::add_design_lines(std::vector<std::string> &all) const
   };
   if (results.errors_of_file)
     row("the file's records", *results.errors_of_file);
+  for (const auto &[name, errors] : results.errors_of_parts)
+    row("of these the " + name, errors);
   for (std::size_t i = 0; i < results.choices.size(); ++i)
     if (i < n_choices_in_log || i + 1 == results.choices.size())
       row((i + 1 == results.choices.size() && i > 0 ? "worst: " : "with ") +
@@ -203,9 +205,10 @@ void IdentificationReport::name_quantities(const IdentificationParameters &param
     for (const char *const name :
          {"estimate", "standard error", "lower limit", "upper limit", "lower limit by the profile",
           "upper limit by the profile", "bias", "bias over standard error",
-          "expected standard error", "expected standard error with the best",
-          "expected standard error with the worst", "mean synthetic error", "synthetic spread",
-          "synthetic coverage"})
+          "expected standard error", "expected standard error by waves alone",
+          "expected standard error by material tests alone",
+          "expected standard error with the best", "expected standard error with the worst",
+          "mean synthetic error", "synthetic spread", "synthetic coverage"})
       names.add(name, number.name);
   for (const char *const name :
        {"misfit", "degrees of freedom", "evaluations", "failed evaluations", "flat directions",
@@ -241,6 +244,8 @@ void IdentificationReport::add_quantities(Summary &summary) const
     }
     if (results.errors_of_file)
       add("expected standard error", results.errors_of_file->standard_errors[j], unit, name);
+    for (const auto &[part, errors] : results.errors_of_parts)
+      add("expected standard error by " + part, errors.standard_errors[j], unit, name);
     if (!results.choices.empty())
     {
       add("expected standard error with the best",

@@ -132,18 +132,27 @@ void Identification::find_bias(const OutputDirectory &directory,
                             predicted(*first, {}), predicted(*second, further));
 }
 
-void Identification::design(ForwardModel &model, Log &log, IdentificationResults &results) const
+std::vector<FitParameter>
+Identification::parameters_of_design(const IdentificationResults &results) const
 {
   std::vector<FitParameter> at = results.parameters;
   for (std::size_t j = 0; j < at.size() && results.fit; ++j)
     at[j].start = results.fit->estimates[j];
+  return at;
+}
+
+void Identification::design(ForwardModel &model, Log &log, IdentificationResults &results) const
+{
+  const std::vector<FitParameter> at = parameters_of_design(results);
   log.line("Design: " + std::to_string(expected.records.size()) + " records, " +
            std::to_string(candidates.size()) + " of them candidates; errors at " +
            (results.fit ? "the estimates" : "the starts of the numbers"));
-  StationFitModel of_design(model, sought, expected, probes);
+  const MaterialTestModel of_tests = model_of_tests(parameters.tests);
+  StationFitModel of_design(model, sought, expected, probes, {}, &of_tests);
   const ExpectedErrors errors(at, expected.records, of_design, parameters.difference_step);
   if (!always.empty())
     results.errors_of_file = errors.of(always);
+  find_errors_of_parts(errors, results);
   unsigned int criterion = ExpectedErrors::by_determinant;
   for (unsigned int j = 0; j < at.size(); ++j)
     if (at[j].name == parameters.criterion)
@@ -156,8 +165,25 @@ void Identification::design(ForwardModel &model, Log &log, IdentificationResults
       for (const unsigned int candidate : choice.candidates)
         results.choices.back().records.push_back(candidates[candidate].front());
     }
-  if (parameters.n_experiments == 0 || results.synthetic)
+  if (parameters.n_experiments > 0 && !results.synthetic)
+    try_design(model, results);
+}
+
+void Identification::find_errors_of_parts(const ExpectedErrors &errors,
+                                          IdentificationResults &results) const
+{
+  std::vector<unsigned int> waves, of_tests;
+  for (const unsigned int record : always)
+    (record < expected.sources.size() ? waves : of_tests).push_back(record);
+  if (waves.empty() || of_tests.empty())
     return;
+  results.errors_of_parts.emplace_back("waves alone", errors.of(waves));
+  results.errors_of_parts.emplace_back("material tests alone", errors.of(of_tests));
+}
+
+void Identification::try_design(ForwardModel &model, IdentificationResults &results) const
+{
+  const std::vector<FitParameter> at = parameters_of_design(results);
   // Of the records that are there, or of the best choice.
   std::vector<unsigned int> chosen = always;
   const ExpectedErrors::Errors &errors_of_chosen =
@@ -165,17 +191,27 @@ void Identification::design(ForwardModel &model, Log &log, IdentificationResults
   if (!results.choices.empty())
     chosen.insert(chosen.end(), results.choices.front().records.begin(),
                   results.choices.front().records.end());
+  // Material tests stand behind the stations.
+  const std::size_t n_of_stations = expected.sources.size();
+  std::stable_partition(chosen.begin(), chosen.end(),
+                        [n_of_stations](const unsigned int record)
+                        { return record < n_of_stations; });
   StationRecords of_chosen;
+  std::vector<MaterialTest> chosen_tests;
   std::vector<NoiseModel> noise;
   for (const unsigned int r : chosen)
   {
     of_chosen.records.push_back(expected.records[r]);
-    of_chosen.sources.push_back(expected.sources[r]);
+    if (r < n_of_stations)
+      of_chosen.sources.push_back(expected.sources[r]);
+    else
+      chosen_tests.push_back(parameters.tests[r - n_of_stations]);
     noise.push_back(expected.records[r].noise);
     if (!parameters.noise_is_known)
       of_chosen.records.back().noise = NoiseModel();
   }
-  StationFitModel of_experiments(model, sought, of_chosen, probes);
+  const MaterialTestModel of_tests = model_of_tests(chosen_tests);
+  StationFitModel of_experiments(model, sought, of_chosen, probes, {}, &of_tests);
   results.synthetic = SyntheticExperiments(at, start_of(at), errors_of_chosen.standard_errors,
                                            of_chosen.records, noise, fit_options())
                           .perform(of_experiments, parameters.n_experiments, parameters.seed);

@@ -144,6 +144,11 @@ std::string IdentificationReport::expected_errors_table() const
     text += "0,,,,,";
     add_errors(*results.errors_of_file);
   }
+  for (const auto &[name, errors] : results.errors_of_parts)
+  {
+    text += "0," + csv_cell(name) + ",,,,";
+    add_errors(errors);
+  }
   for (std::size_t i = 0; i < results.choices.size(); ++i)
   {
     const DesignChoice &choice = results.choices[i];
@@ -151,10 +156,13 @@ std::string IdentificationReport::expected_errors_table() const
     for (std::size_t k = 0; k < 2; ++k)
     {
       const bool is_named = choice.records.size() <= 2 && k < choice.records.size();
-      const RecordSource *const source = is_named ? &expected.sources[choice.records[k]] : nullptr;
-      text += source == nullptr
-                  ? ",,"
-                  : "," + cell_of(source->position) + "," + csv_cell(source->field_name);
+      if (!is_named)
+        text += ",,";
+      else if (const unsigned int record = choice.records[k]; record >= expected.sources.size())
+        text += ",," + csv_cell(expected.records[record].name); // a material test has no place
+      else
+        text += "," + cell_of(expected.sources[record].position) + "," +
+                csv_cell(expected.sources[record].field_name);
     }
     add_errors(choice.errors);
   }

@@ -6,6 +6,7 @@
 #include <continua/materials/material.h>
 #include <continua/studies/planned_run.h>
 
+#include <array>
 #include <cmath>
 #include <exception>
 
@@ -15,15 +16,54 @@ void MaterialTest::read(ParameterSection section)
 {
   name = section.name();
   section.add("Material", material,
-              "Region of the file whose material was tested, as a bar that is free at its sides.");
+              "Region of the file whose material is tested, as a bar that is free at its sides.");
   section.add("Noise", deviation, Dimensions::none,
               "Standard deviation of the noise as a share of each value of the table, such as "
-              "0.003. Not given: it is estimated from the residuals of the fit.",
+              "0.003. Not given: it is estimated from the residuals of the fit; a design needs it.",
               Range::positive());
+  double first_time = 0., last_time = 0.;
+  unsigned int n_rows = 50;
+  section.add("First time", first_time, Dimensions::time,
+              "Of a test that is to be made: time of its first row after the strain is there.",
+              Range::positive());
+  section.add("Last time", last_time, Dimensions::time,
+              "Of a test that is to be made: time of its last row.", Range::positive());
+  section.add("Rows", n_rows,
+              "Of a test that is to be made: its rows [1], at times of equal ratios.", 2, 100000);
   if (const auto test =
           BarRelaxation::read(section, "Remove the row, or change the sign of all values"))
     record = test->record;
   record.is_logarithmic = true;
+  if (is_made() || !(last_time > first_time))
+    return;
+  for (unsigned int row = 0; row < n_rows; ++row)
+    record.abscissae.push_back(first_time *
+                               std::pow(last_time / first_time, double(row) / (n_rows - 1)));
+}
+
+void MaterialTest::check(ParameterSection section, const bool is_design) const
+{
+  const std::array<const char *, 3> of_a_plan = {{"First time", "Last time", "Rows"}};
+  if (is_made() || !is_design)
+    for (const char *const key : of_a_plan)
+      if (section.given(key))
+        section.refuse(key,
+                       is_made() ? "the relaxation table has the times of the rows"
+                                 : "a test that is to be made belongs to the design of an "
+                                   "experiment",
+                       is_made() ? "Remove the entry"
+                                 : "Give a Relaxation table, or add the subsection 'Expected "
+                                   "noise'");
+  if (is_design)
+    section.require("Noise");
+  if (is_made())
+    return;
+  if (!is_design)
+    section.require("Relaxation table");
+  section.require("First time");
+  section.require("Last time");
+  if (record.abscissae.empty())
+    section.refuse("Last time", "it is not later than First time", "Give a later time");
 }
 
 DataRecord MaterialTest::data_record() const

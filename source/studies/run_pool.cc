@@ -4,6 +4,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/input_file.h>
 #include <continua/base/interruption.h>
+#include <continua/base/lack_of_memory.h>
 #include <continua/base/memory_limit.h>
 #include <continua/base/parameter_text.h>
 
@@ -34,6 +35,7 @@ namespace
 {
 /// Behind it stands the number of the process that starts the run.
 const std::string mark_of_a_run = "--continua-internal-run-of-a-study=";
+const std::string ended_by_signal = "it was ended by the signal";
 /// What runs get to end by themselves where this process cannot go on.
 constexpr std::chrono::seconds time_to_end(30);
 
@@ -170,9 +172,14 @@ start(const std::string &program, const PlannedRun &plan, const std::string &scr
 }
 } // namespace
 
-const std::string ended_by_signal = "it was ended by the signal";
 const std::string among_runs =
     "among the runs of the study; --restart goes on with those that are not finished";
+
+bool says_nothing_of_input(const std::string &failure)
+{
+  return failure.find(ended_by_signal) != std::string::npos ||
+         failure.find(lack_of_memory) != std::string::npos;
+}
 
 RunPool::RunPool(const unsigned int n_parallel, std::string program)
     : n_parallel(std::max(n_parallel, 1u)), program(std::move(program))
@@ -182,6 +189,33 @@ RunPool::RunPool(const unsigned int n_parallel, std::string program)
 void RunPool::perform(const std::vector<PlannedRun> &plans,
                       const Begins &begins,
                       const Ended &ended) const
+{
+  std::vector<PlannedRun> again;
+  std::vector<unsigned int> numbers; // of these
+  perform_once(plans, n_parallel, begins,
+               [&](const unsigned int number, const std::string &failure)
+               {
+                 if (!says_nothing_of_input(failure))
+                   return ended(number, failure);
+                 again.push_back(plans[number]);
+                 again.back().command_line.restart = false;
+                 again.back().command_line.overwrite = true;
+                 numbers.push_back(number);
+               });
+  // The memory may be enough for each of them alone.
+  perform_once(
+      again, 1, [](unsigned int) {},
+      [&](const unsigned int i, const std::string &failure)
+      {
+        ended(numbers[i],
+              failure.empty() ? "" : "it was tried twice, the second time alone: " + failure);
+      });
+}
+
+void RunPool::perform_once(const std::vector<PlannedRun> &plans,
+                           const unsigned int n_at_a_time,
+                           const Begins &begins,
+                           const Ended &ended) const
 {
   const FolderOfScreens screens;
   const double memory_limit = Continua::memory_limit().bytes;
@@ -199,7 +233,7 @@ void RunPool::perform(const std::vector<PlannedRun> &plans,
       running.send(SignalWatch::pending());
       continue;
     }
-    while (!is_interrupted && next < plans.size() && running.size() < n_parallel &&
+    while (!is_interrupted && next < plans.size() && running.size() < n_at_a_time &&
            (running.empty() || memory + plans[next].memory <= memory_limit))
     {
       begins(next);

@@ -266,7 +266,7 @@ std::string RunSeries::perform(const PlannedRun &plan, Summary &summary) const
   {
     // One rank alone cannot go on to the next run.
     RankAgreement::wait_for_all(text_of_failure(error), exit_status_of_failure);
-    const std::string reason = collapse_blanks(error.what());
+    const std::string reason = collapse_blanks(text_of_failure(error));
     return reason.empty() ? "unknown reason" : reason;
   }
   return "";

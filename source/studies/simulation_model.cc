@@ -96,42 +96,32 @@ void SimulationModel::run(const std::vector<Settings> &all)
       plans.push_back(plan(settings));
       planned.push_back(settings);
     }
-  std::vector<Plan> again;
-  for (const auto &[ended, failure] : perform(plans, n_parallel))
-    again.push_back(ended);
-  // The memory may be enough for each of them alone.
-  for (const auto &[ended, failure] : perform(again, 1))
-    throw RunError("the run " + ended.run.name + " was tried twice, and " + failure +
-                   ". This says nothing of its numbers, and is not kept: free memory, or take a "
-                   "coarser mesh; --restart goes on");
-}
-
-std::vector<std::pair<SimulationModel::Plan, std::string>>
-SimulationModel::perform(const std::vector<Plan> &plans, const unsigned int n_at_a_time)
-{
   std::vector<PlannedRun> runs;
   runs.reserve(plans.size());
-  for (const Plan &plan : plans)
-    runs.push_back(plan.run);
-  std::vector<std::pair<Plan, std::string>> ended;
-  RunPool(n_at_a_time, program)
+  for (const Plan &planned_run : plans)
+    runs.push_back(planned_run.run);
+  std::string without_answer;
+  RunPool(n_parallel, program)
       .perform(
           runs, [](unsigned int) {},
           [&](const unsigned int number, const std::string &failure)
           {
-            const Plan &plan = plans[number];
-            const std::string &folder = plan.run.command_line.output_directory;
-            if (failure.compare(0, ended_by_signal.size(), ended_by_signal) == 0)
-              ended.emplace_back(plan, failure);
+            const PlannedRun &ended = plans[number].run;
+            if (says_nothing_of_input(failure))
+              without_answer = ended.name + ": " + failure;
             else if (!failure.empty())
-              failures[plan.settings] = failure;
+              failures[plans[number].settings] = failure;
             else
             {
-              histories[plan.settings] = read_run_columns(folder + "/probes.csv");
+              const std::string &folder = ended.command_line.output_directory;
+              histories[plans[number].settings] = read_run_columns(folder + "/probes.csv");
               std::filesystem::remove_all(folder);
             }
           });
-  return ended;
+  if (!without_answer.empty())
+    throw RunError("the run " + without_answer +
+                   ". This says nothing of its numbers, and is not kept: free memory, or take a "
+                   "coarser mesh; --restart goes on");
 }
 
 std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQuestion> &questions)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <new>
 #include <thread>
 
 namespace Continua
@@ -40,6 +41,10 @@ TheoryCase<dim> read_theory_case(const AnalysisTable &analyses,
     result.input.reset(
         new Case<dim>(analyses.read_case<dim>(*result.file, MPI_COMM_SELF, CaseUse::check)));
     result.failure = make_tube_wave_case(*result.input, result.wave_case);
+  }
+  catch (const std::bad_alloc &)
+  {
+    throw; // it says nothing of the numbers
   }
   catch (const std::exception &error)
   {
@@ -79,6 +84,10 @@ answer_of(const TheoryCase<dim> &asked, const ForwardQuestion &question, KeptWav
     const std::vector<StationsProbe> &probes = input.probes.stations();
     for (std::size_t p = 0; p < probes.size(); ++p)
       answer.histories.push_back(waves_at(probes[p], theory, asked.wave_case, question.times[p]));
+  }
+  catch (const std::bad_alloc &)
+  {
+    throw;
   }
   catch (const std::exception &error)
   {
@@ -122,10 +131,19 @@ std::vector<ForwardAnswer> TheoryModel::answers_of(const std::vector<ForwardQues
   // What calls MPI is done on this thread.
   for (const ForwardQuestion &question : questions)
     cases.push_back(read_theory_case<dim>(analyses, command_line, question.settings));
+  // By question, each of which is of one thread: a vector of bool would share its words.
+  std::vector<char> lacks_memory(questions.size(), 0);
   const auto work = [&]()
   {
     for (std::size_t i = next++; i < questions.size() && SignalWatch::pending() == 0; i = next++)
-      answers[i] = answer_of<dim>(cases[i], questions[i], kept);
+      try
+      {
+        answers[i] = answer_of<dim>(cases[i], questions[i], kept);
+      }
+      catch (const std::bad_alloc &)
+      {
+        lacks_memory[i] = 1;
+      }
   };
   std::vector<std::thread> threads;
   for (unsigned int i = 1; i < n; ++i)
@@ -138,6 +156,11 @@ std::vector<ForwardAnswer> TheoryModel::answers_of(const std::vector<ForwardQues
   work();
   for (std::thread &thread : threads)
     thread.join();
+  // The memory may be enough for each of them alone; else the fit ends, since it says nothing of
+  // the numbers.
+  for (std::size_t i = 0; i < questions.size() && SignalWatch::pending() == 0; ++i)
+    if (lacks_memory[i] != 0)
+      answers[i] = answer_of<dim>(cases[i], questions[i], kept);
   SignalWatch::stop_if_asked(MPI_COMM_SELF, "in an evaluation of linear wave theory");
   return answers;
 }

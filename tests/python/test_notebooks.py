@@ -2,6 +2,7 @@
 """The notebooks of python/notebooks: all of their cells run in their order, and show what they claim; and `pip install ./python`."""
 
 import contextlib
+import glob
 import importlib.util
 import io
 import json
@@ -77,15 +78,28 @@ class Notebooks(unittest.TestCase):
         self.assertEqual({name[:-len(".ipynb")] for name in os.listdir(NOTEBOOKS) if name.endswith(".ipynb")} - tested, set())
 
 
+WHEELS = "/usr/share/python-wheels"
+WHEELS_OF_BUILD = all(glob.glob(os.path.join(WHEELS, f"{name}-*.whl")) for name in ("setuptools", "wheel"))
+
+
 @unittest.skipIf(importlib.util.find_spec("pip") is None or importlib.util.find_spec("wheel") is None, "python3-pip and python3-wheel are not there")
 class Pip(unittest.TestCase):
     def test_install(self):
+        self.install("--no-build-isolation")
+
+    @unittest.skipUnless(WHEELS_OF_BUILD, "python3-setuptools-whl and python3-wheel-whl are not there")
+    def test_install_in_isolation(self):
+        """What the build asks for comes from Debian's folder of wheels in place of PyPI."""
+        self.install("--find-links", WHEELS)
+
+    def install(self, *options):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(os.path.join(ROOT, "python"), os.path.join(folder, "python"), ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
             shutil.copy(os.path.join(ROOT, "VERSION"), folder)
             to = os.path.join(folder, "to")
-            subprocess.run(["/usr/bin/python3", "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--no-index", "--quiet", "--target", to,
-                            os.path.join(folder, "python")], capture_output=True, check=True)
+            done = subprocess.run(["/usr/bin/python3", "-m", "pip", "install", *options, "--no-deps", "--no-index", "--quiet", "--target", to,
+                                   os.path.join(folder, "python")], capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
             done = subprocess.run(["/usr/bin/python3", "-B", "-c", "import continua; print(continua.__version__, continua.__file__)"], cwd=folder,
                                   env={**os.environ, "PYTHONPATH": to}, capture_output=True, text=True, check=True)
             with open(os.path.join(ROOT, "VERSION"), encoding="utf-8") as stream:

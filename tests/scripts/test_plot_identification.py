@@ -25,8 +25,8 @@ def write(folder, name, header, rows):
         stream.write(header + "\n" + "".join(",".join(row) + "\n" for row in rows))
 
 
-def identify(folder, pairs=False):
-    """As an identification writes it, with candidates of one station or of two."""
+def identify(folder, pairs=False, test=False):
+    """As an identification writes it, with candidates of one station or of two, and with a material test as one of them."""
     with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as stream:
         json.dump({"version": "0.2.0", "status": "finished", "title": "Tube", "quantities": [], "checks": []}, stream)
     write(folder, "identification.csv", "parameter,entry,unit,estimate", [['"modulus"', '"Materials/wall/Young\'s modulus"', '"Pa"', "1.4e6"]])
@@ -40,6 +40,9 @@ def identify(folder, pairs=False):
     for i in range(4):
         second = [repr(0.1 * i + 0.2), '"pressure"'] if pairs else ["", '""']
         rows.append([str(i + 1), f'"{i}"', repr(0.1 * i), '"pressure"', *second, "1", repr(2e4 - 1e3 * i)])
+    if test:
+        rows[1:1] = [["0", '"waves alone"', "", '""', "", '""', "1", "9e4"], ["9", '"strip: relaxation"', "", '"strip: relaxation"', "", '""', "1", "5e3"],
+                     ["8", '"0; strip: relaxation"', "0.1", '"pressure"', "", '"strip: relaxation"', "1", "4e3"]]
     write(folder, "expected-errors.csv", "rank [1],added,position [m],field,second position [m],second field,log determinant [1],"
           '"modulus: standard error [Pa]"', rows)
 
@@ -65,6 +68,23 @@ class Plot(unittest.TestCase):
             self.assertIn("expected-errors-modulus-pressure-and-pressure.png", there)
             self.assertNotIn("profile-modulus.png", there)
             self.assertIn("profiles (no rows in profiles.csv)", said)
+
+
+    def test_material_test(self):
+        """A test has no place: it is a line across the picture. A station with a test is no station alone."""
+        with tempfile.TemporaryDirectory() as folder:
+            identify(folder, test=True)
+            sheet = plot_style.Sheet(os.path.join(folder, "plots"), 6.3, False)
+            drawn = []
+            sheet.save = lambda figure, name: drawn.append((name, figure))
+            plot_identification.draw_expected_errors(sheet, plot_identification.table(folder, "expected-errors"))
+            (name, figure), = drawn
+            self.assertEqual(name, "expected-errors-modulus")
+            lines = {line.get_label(): line.get_ydata() for line in figure.axes[0].lines}
+            self.assertEqual(set(lines), {"pressure", "with strip: relaxation", "records of the file alone"})
+            self.assertEqual(list(lines["pressure"]), [20, 19, 18, 17])
+            self.assertEqual(list(lines["with strip: relaxation"]), [5, 5])
+            self.assertEqual(list(lines["records of the file alone"]), [30, 30])
 
 
 class Interval(unittest.TestCase):

@@ -181,5 +181,75 @@ class Pages(unittest.TestCase):
         self.assertGreater(page.evaluate("Math.abs(document.querySelector('[data-view]').view.shift[0])"), 0.01)
 
 
+class ByTheRun(unittest.TestCase):
+    """Output/Report = true: the program starts the script that came with it. It stands here in a prefix of its own, with another script."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory(dir=os.path.dirname(PROGRAM))  # of the same file system: a link will do
+        self.addCleanup(self.temporary.cleanup)
+        self.prefix = self.temporary.name
+        for folder in ("bin", "share/continua/parameter_files", "share/continua/scripts"):
+            os.makedirs(os.path.join(self.prefix, folder))
+        self.program = os.path.join(self.prefix, "bin", "continua")
+        os.link(PROGRAM, self.program)
+
+    def run_beam(self, name, script=None, *arguments, ranks=1):
+        path = os.path.join(self.prefix, "share", "continua", "scripts", "report")
+        if script is not None:
+            write(path, script)
+            os.chmod(path, 0o755)
+        sets = ["--set", "Mesh/Refinements=0", "--set", "Time/End time=2 ms", "--set", "Output/Final fields=false"]
+        launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
+        done = subprocess.run([*launcher, self.program, os.path.join(ROOT, "parameter_files", "new", "beam.prm"), *sets, "--output", name, *arguments],
+                              capture_output=True, text=True, check=False, cwd=self.prefix,
+                              env={name: value for name, value in os.environ.items() if name != "CONTINUA_PROGRAM"})
+        with open(os.path.join(self.prefix, name, "summary.json"), encoding="utf-8") as stream:
+            self.assertEqual(json.load(stream)["status"], "finished")
+        return done.returncode, done.stdout, done.stderr
+
+    SCRIPT = """#!/bin/sh
+[ ! -e "$1/lock" ] || { echo "the run has not ended"; exit 1; }
+[ -z "$OMPI_COMM_WORLD_SIZE" ] || { echo "it takes itself for a rank"; exit 1; }
+echo "$CONTINUA_PROGRAM" >> "$1/report.html"
+echo "$1/report.html: 0.10 MB"
+"""
+
+    def test_report(self):
+        for ranks in (1, 2):
+            with self.subTest(ranks=ranks):
+                name = f"with-{ranks}"
+                status, said, error = self.run_beam(name, self.SCRIPT, "--set", "Output/Report=true", ranks=ranks)
+                self.assertEqual(status, 0)
+                self.assertNotIn("warning: Output/Report", error)
+                self.assertIn(f"Report: {name}/report.html: 0.10 MB\n", said)
+                with open(os.path.join(self.prefix, name, "report.html"), encoding="utf-8") as stream:
+                    self.assertEqual(stream.read(), self.program + "\n")
+
+    def test_none(self):
+        status, said, error = self.run_beam("without", self.SCRIPT)
+        self.assertEqual(status, 0)
+        self.assertNotIn("Report", said + error)
+        self.assertFalse(os.path.exists(os.path.join(self.prefix, "without", "report.html")))
+
+    def test_what_is_missing(self):
+        for script, reason in ((None, r"share/continua/scripts/report is not there"),
+                               ("#!/bin/sh\necho \"ModuleNotFoundError: No module named 'vtk'\"; exit 1\n", "No module named 'vtk'"),
+                               ("#!/nowhere/python3\n", "its process cannot be started: No such file")):
+            with self.subTest(reason=reason):
+                status, said, error = self.run_beam("warned", script, "--overwrite", "--set", "Output/Report=true")
+                self.assertEqual(status, 0)
+                self.assertNotIn("Report:", said)
+                self.assertRegex(error, r"(?m)^warning: Output/Report: there is no report, since .*" + reason)
+                self.assertIn("'continua report warned' makes the report", error)
+
+    def test_runs_of_a_study_have_none(self):
+        status, said, error = self.run_beam("sweep", self.SCRIPT, "--set", "Output/Report=true", "--sweep", "Materials/beam/Density=998 kg/m^3, 999 kg/m^3",
+                                            "--set", "Sweep/Parallel runs=2")
+        self.assertEqual(status, 0, error)
+        self.assertIn("Report: sweep/report.html", said)
+        made = [folder for folder, _, files in os.walk(os.path.join(self.prefix, "sweep")) if "report.html" in files]
+        self.assertEqual(made, [os.path.join(self.prefix, "sweep")])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -34,6 +34,12 @@ const std::string text = "subsection Materials\n"
                          "    set Strain = 0.02\n"
                          "    set Noise = 0.01\n"
                          "  end\n"
+                         "  subsection to come\n"
+                         "    set First time = 1 s\n"
+                         "    set Last time = 100 s\n"
+                         "    set Rows = 3\n"
+                         "    set Noise = 0.01\n"
+                         "  end\n"
                          "end\n";
 
 /// Young's modulus that relaxes by a branch of the shear modulus [Pa].
@@ -67,6 +73,17 @@ UNIT_TEST(material_test)
     largest = std::max(
         largest, std::abs(prediction.values[i + 1] - std::log(exact(400e3, 20e3, data.times[i]))));
   check::absolute("its exponentials", largest, 0., 1e-10);
+
+  MaterialTest to_come;
+  to_come.read(file.root().subsection("Tests").subsection("to come"));
+  const DataRecord planned = to_come.data_record();
+  check::is_true("a test to come has times and no values", !to_come.is_made() && test.is_made() &&
+                                                               planned.values.empty() &&
+                                                               planned.times.size() == 3);
+  check::absolute("its times have equal ratios", planned.times[1], 10., 1e-12);
+  FitModel::Prediction of_plan{{}, ""};
+  MaterialTestModel(command_line, Model::axisymmetric, {to_come}).append({}, of_plan);
+  check::absolute("its prediction", of_plan.values.at(0), std::log(exact(300e3, 20e3, 1.)), 1e-10);
 
   FitModel::Prediction refused{{1.}, ""};
   model.append({{"Materials/wall/Young's modulus", "-1 kPa"}}, refused);

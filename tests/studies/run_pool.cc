@@ -67,15 +67,21 @@ std::vector<std::string> perform(
   return failures;
 }
 
-/// The largest number of runs that were at work at a time, since the last call.
-int most_at_work()
+/// How many runs were at work as each one began, since the last call.
+std::vector<int> counts_at_work()
 {
   std::istringstream counts(read_input_file(place + "/counts"));
   std::filesystem::remove(place + "/counts");
-  int most = 0;
+  std::vector<int> result;
   for (int count = 0; counts >> count;)
-    most = std::max(most, count);
-  return most;
+    result.push_back(count);
+  return result;
+}
+
+int most_at_work()
+{
+  const std::vector<int> counts = counts_at_work();
+  return counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
 }
 } // namespace
 
@@ -95,13 +101,39 @@ UNIT_TEST(run_pool)
 
   const std::vector<std::string> failures = perform(
       {run_of("exit 0"), run_of("echo no; echo 'error: it diverges'; echo '  at 1 s'; exit 1"),
-       run_of("echo one; echo 'the last'; exit 2"), run_of("exit 3"), run_of("kill -9 $$")},
+       run_of("echo one; echo 'the last'; exit 2"), run_of("exit 3"),
+       run_of("rmdir at-work.$$; kill -9 $$")},
       2);
   check::equal("finished", failures[0], "");
   check::equal("its error", failures[1], "it diverges at 1 s");
   check::equal("its last words", failures[2], "the last");
   check::equal("without a word", failures[3], "it ended with the status 3");
   check::is_true("killed", check::matches(failures[4], "by the signal 'Killed', as by the system"));
+
+  // What says nothing of the input is tried once more, alone.
+  counts_at_work();
+  std::vector<std::string> of_tries(3);
+  RunPool(3, script).perform(
+      {run_of("[ -e killed ] && sleep 0.05 && exit 0; touch killed; rmdir at-work.$$; kill -9 $$"),
+       run_of("[ -e lacks ] && sleep 0.05 && exit 0; touch lacks; echo 'error: MUMPS, "
+              "factorisation: the "
+              "memory of the machine is not enough (INFOG(1) = -13).'; exit 1"),
+       run_of("echo tried >> always; echo 'error: the memory of the machine is not enough for this "
+              "run.'; "
+              "exit 1")},
+      [](unsigned int) {},
+      [&of_tries](const unsigned int number, const std::string &failure)
+      { of_tries[number] += failure.empty() ? "finished" : failure; });
+  check::equal("a run that was killed once", of_tries[0], "finished");
+  check::equal("a run that had too little memory once", of_tries[1], "finished");
+  check::equal("a run that has too little memory", of_tries[2],
+               "it was tried twice, the second time alone: the memory of the machine is not enough "
+               "for this run.");
+  check::equal("its tries", read_input_file(place + "/always"), "tried\ntried\n");
+  const std::vector<int> counts = counts_at_work();
+  check::is_true("the second tries are alone",
+                 counts.size() == 6 &&
+                     std::vector<int>(counts.end() - 3, counts.end()) == std::vector<int>(3, 1));
 
   std::filesystem::remove(place + "/arguments");
   PlannedRun plan = run_of("exit 0");

@@ -1,5 +1,5 @@
-// Runs as a model: their histories, runs that fail, and runs that a signal ends. A shell script
-// stands for the program.
+// Runs as a model: their histories, runs that fail, and runs that a signal ends or that lack
+// memory. A shell script stands for the program.
 
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
@@ -23,7 +23,8 @@ namespace
 const std::string script = "./simulation-model-test.sh", folder = "simulation-model-test",
                   file = "simulation-model-test.prm";
 
-/// Its pressure rises by the entry Rate. With 2 the first run is killed, with 3 each of them.
+/// Its pressure rises by the entry Rate. With 2 the first run is killed, with 3 each of them; with
+/// 6 the first one lacks memory.
 void write_script()
 {
   std::ofstream(script)
@@ -37,6 +38,10 @@ void write_script()
       << "/begun\n"
          "[ $rate = 4 ] && { echo 'error: too soft'; exit 1; }\n"
          "[ $rate = 3 ] && kill -9 $$\n"
+         "[ $rate = 6 ] && [ `grep -c 6 "
+      << folder
+      << "/begun` = 1 ] && { echo 'error: the memory of the machine is not enough for this run.'; "
+         "exit 1; }\n"
          "[ $rate = 2 ] && [ `grep -c 2 "
       << folder
       << "/begun` = 1 ] && kill -9 $$\n"
@@ -82,13 +87,16 @@ UNIT_TEST(simulation_model)
   model.answers({question("5"), question("4")});
   check::throws<RunError>(
       "killed twice", [&]() { model.answers({question("3")}); },
-      "run-4 was tried twice, and it was ended by the signal 'Killed'");
+      "the run run-4: it was tried twice, the second time alone: it was ended by the signal "
+      "'Killed'");
+  check::absolute("of a run that lacked memory once",
+                  error_of(model.answers({question("6")})[0], 6.), 0., 1e-12);
   std::ifstream begun(folder + "/begun");
   std::string rates;
   for (std::string rate; std::getline(begun, rate);)
     rates += rate;
   // Two at a time, so the processor chooses their order.
   std::sort(rates.begin(), rates.end());
-  check::equal("runs that were begun", rates, "223345");
+  check::equal("runs that were begun", rates, "22334566");
 }
 } // namespace test_of_simulation_model

@@ -2,9 +2,14 @@
 #define continua_program_script_h
 
 #include <optional>
+#include <string>
 
 namespace Continua
 {
+/// The path of a script that came with the program, which may not be there. Throws InputError if
+/// nothing of the program's files is.
+std::string script_file(const std::string &name);
+
 /**
  * `continua report ...` and `continua plot ...` are scripts, which came with the program: the
  * process becomes that script, with the arguments that follow. Returns the exit status of a wrong

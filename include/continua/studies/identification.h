@@ -42,7 +42,7 @@ private:
   std::vector<ProbeColumns> columns; ///< of these
   std::vector<SoughtEntry> sought;
   StationRecords measured, expected;
-  std::unique_ptr<MaterialTestModel> tests;
+  std::unique_ptr<MaterialTestModel> tests;          ///< that were made
   std::vector<std::vector<unsigned int>> candidates; ///< records of `expected` that may be added
   std::vector<unsigned int> always;                  ///< records of `expected` that are there
   QuantityNames quantities;                          ///< that it can state
@@ -54,6 +54,8 @@ private:
   void read_sought();
   void read_candidates();
   void read_tests();
+  /// The probe or the material test of an expected record.
+  std::string origin_of(unsigned int record) const;
   void check_numbers() const;
   void check_other_model() const;
   template <int dim>
@@ -78,6 +80,13 @@ private:
                   IdentificationResults &results) const;
   void find_bias(const OutputDirectory &directory, Log &log, IdentificationResults &results) const;
   void design(ForwardModel &model, Log &log, IdentificationResults &results) const;
+  /// What waves and material tests give each, where the file's records have both.
+  void find_errors_of_parts(const ExpectedErrors &errors, IdentificationResults &results) const;
+  /// Synthetic experiments of the file's records, with the best choice.
+  void try_design(ForwardModel &model, IdentificationResults &results) const;
+  MaterialTestModel model_of_tests(const std::vector<MaterialTest> &chosen) const;
+  /// Where the design stands: at the estimates, or at the starts.
+  std::vector<FitParameter> parameters_of_design(const IdentificationResults &results) const;
   void finish(const OutputDirectory &directory,
               Log &log,
               Summary &summary,

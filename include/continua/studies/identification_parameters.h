@@ -72,9 +72,9 @@ struct IdentificationParameters
   std::vector<std::pair<std::string, std::string>> other_entries;
   unsigned int n_parallel = 0; ///< [1]; 0: as many as there are cores
 
-  double sampling_interval = 0.;       ///< [s] of records without data; 0: the time step
-  std::vector<std::string> candidates; ///< probes, or stations of them, whose records may be added
-  unsigned int n_added = 1;            ///< [1] of them
+  double sampling_interval = 0.;         ///< [s] of records without data; 0: the time step
+  std::vector<std::string> candidates;   ///< probes and material tests whose records may be added
+  unsigned int n_added = 1;              ///< [1] of them
   std::string criterion = "determinant"; ///< or the name of a sought number
 
   unsigned int n_experiments = 0; ///< [1] synthetic ones

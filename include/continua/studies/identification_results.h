@@ -35,7 +35,9 @@ struct IdentificationResults
   std::optional<ModelBias> bias;
 
   std::optional<ExpectedErrors::Errors> errors_of_file; ///< of the records that are no candidates
-  std::vector<DesignChoice> choices;                    ///< best first
+  /// Of what makes up these, if they are waves and material tests: "waves alone" and the like.
+  std::vector<std::pair<std::string, ExpectedErrors::Errors>> errors_of_parts;
+  std::vector<DesignChoice> choices; ///< best first
   std::optional<SyntheticExperiments::Outcome> synthetic;
 };
 } // namespace Continua

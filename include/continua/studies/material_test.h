@@ -14,17 +14,24 @@
 
 namespace Continua
 {
-/// A relaxation test of a bar of a material of the file, as further data of an identification.
+/// A relaxation test of a bar of a material of the file: further data of an identification, or a
+/// test of an experiment that is to be designed.
 struct MaterialTest
 {
   std::string name;              ///< as the user calls it
-  std::string material = "wall"; ///< region whose material was tested
-  BarRecord record;              ///< no values: there is no table
+  std::string material = "wall"; ///< region whose material is tested
+  BarRecord record;              ///< no values: it is to be made
   double deviation = undefined;  ///< of the noise, a share of each value [1]
 
   /// Declares and reads a child of the section Material tests. Throws InputError.
   void read(ParameterSection section);
-  /// Logarithms of the relaxation modulus in Pa, "NAME: relaxation" [1].
+  /// Whether there is a table.
+  bool is_made() const { return !record.values.empty(); }
+  /// The rules of a test; only a design may have one that is to be made, and needs its noise.
+  /// Throws InputError.
+  void check(ParameterSection section, bool is_design) const;
+  /// Logarithms of the relaxation modulus in Pa, "NAME: relaxation" [1]; without values if it is to
+  /// be made.
   DataRecord data_record() const;
 };
 

@@ -15,6 +15,10 @@ namespace Continua
  * The next run begins when one has ended, and only if the runs at work leave it the memory that it
  * may need by estimate; a run begins in any case when no other is at work.
  *
+ * A run that a signal ends, as the system does where memory is at its end, or that fails for want
+ * of memory says nothing of its input: it is performed again from its beginning, alone, when all
+ * others have ended.
+ *
  * A signal that SignalWatch has seen goes to the runs, which end with a checkpoint where their
  * analysis has one. If this process is killed, they get SIGTERM.
  */
@@ -31,10 +35,10 @@ public:
 
   /**
    * Performs the runs, begun in their order. `begins` is called before each, `ended` after each in
-   * the order in which they end. A run that cannot be started has failed. What
-   * `begins` or `ended` throws goes on when the runs at work have ended: they get SIGTERM, and are
-   * killed after 30 s. Throws Interrupted when all have ended after a signal; a run that the signal
-   * ended is not reported. On one rank alone.
+   * the order in which they end; of a run that is performed again once, after the second time. A
+   * run that cannot be started has failed. What `begins` or `ended` throws goes on when the runs at
+   * work have ended: they get SIGTERM, and are killed after 30 s. Throws Interrupted when all have
+   * ended after a signal; a run that the signal ended is not reported. On one rank alone.
    */
   void
   perform(const std::vector<PlannedRun> &plans, const Begins &begins, const Ended &ended) const;
@@ -45,10 +49,16 @@ public:
 private:
   unsigned int n_parallel;
   std::string program;
+
+  /// The same, each run once.
+  void perform_once(const std::vector<PlannedRun> &plans,
+                    unsigned int n_at_a_time,
+                    const Begins &begins,
+                    const Ended &ended) const;
 };
 
-/// What the failure of a run begins with that a signal has ended: it says nothing of its input.
-extern const std::string ended_by_signal;
+/// Whether a run failed since a signal ended it, or for want of memory, by what RunPool says of it.
+bool says_nothing_of_input(const std::string &failure);
 
 /// Where a study was interrupted, and what the user can do.
 extern const std::string among_runs;

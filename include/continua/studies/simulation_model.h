@@ -31,8 +31,8 @@ struct RunColumns
  * The run in time of a file as a model: each set of entries is a run of its own, in a process and a
  * folder of its own, as many at a time as there are cores. Its histories are those of probes.csv,
  * between the steps by cubics. They are kept: other times need no other run. The folder of a run
- * that has ended well is removed again. A run that a signal has ended, for example for want of
- * memory, says nothing of its numbers: it is tried again, alone.
+ * that has ended well is removed again. A run that a signal ends or that has too little memory says
+ * nothing of its numbers: RunPool tries it again, alone.
  */
 class SimulationModel : public ForwardModel
 {
@@ -47,7 +47,7 @@ public:
                   double memory,
                   std::string program = "/proc/self/exe");
 
-  /// Throws RunError if a run that is tried again is ended by a signal again.
+  /// Throws RunError if a run that was tried again says nothing of its numbers again.
   std::vector<ForwardAnswer> answers(const std::vector<ForwardQuestion> &questions) override;
   std::string name() const override { return "simulation"; }
 
@@ -73,9 +73,6 @@ private:
   Plan plan(const Settings &settings);
   /// Performs the runs for what is not known.
   void run(const std::vector<Settings> &all);
-  /// So many at a time; those that a signal has ended, and their failures.
-  std::vector<std::pair<Plan, std::string>> perform(const std::vector<Plan> &plans,
-                                                    unsigned int n_at_a_time);
   ForwardAnswer answer(const RunColumns &table, const ForwardQuestion &question) const;
 };
 } // namespace Continua

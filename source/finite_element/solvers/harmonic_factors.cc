@@ -1,6 +1,7 @@
 #include <continua/finite_element/solvers/harmonic_factors.h>
 
 #include <continua/base/input_error.h>
+#include <continua/base/lack_of_memory.h>
 #include <continua/linear_algebra/singular_matrix.h>
 
 #include <array>
@@ -65,8 +66,8 @@ void HarmonicFactors::factorize(const std::vector<HarmonicCoefficients> &coeffic
     catch (const std::bad_alloc &)
     {
       status = failure;
-      text = "there is not enough memory for the factor of this rank. Use fewer ranks, each of "
-             "which has a whole factor, or a coarser mesh.";
+      text = lack_of_memory + " for the factor of this rank. Use fewer ranks, each of which has a "
+                              "whole factor, or a coarser mesh.";
     }
   const int own_status = status;
   MPI_Allreduce(MPI_IN_PLACE, &status, 1, MPI_INT, MPI_MAX, communicator);
