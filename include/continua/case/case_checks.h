@@ -6,10 +6,10 @@
 namespace Continua
 {
 /**
- * The rules across sections that no single section can check: first those of the analysis
- * (AnalysisTraits::check), then those that hold for each analysis with fields: whether pressure
- * level and support determine the solution, whether the axis is one, and whether the linear solver
- * fits. Throws InputError.
+ * What no single section can check: first the rules between features (check_rules()), then what
+ * depends on numbers, regions or the mesh: the rules of the analysis (AnalysisTraits::check),
+ * whether pressure level and support determine the solution, whether the axis is one. Throws
+ * InputError.
  */
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root);
