@@ -27,6 +27,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,6 +139,23 @@ struct Case
   HarmonicParameters harmonic; ///< of a harmonic analysis
   ResonanceParameters resonances;
   PeriodicResponseParameters periodic_response;
+
+private:
+  /// The (boundary, region) pairs that the coarse mesh has.
+  std::set<std::pair<unsigned int, unsigned int>> boundary_regions;
+
+  // The parts of the constructor, in their order.
+  void read_body(ParameterFile &file); ///< geometry, materials
+  void read_equations(ParameterFile &file);
+  void read_analysis(ParameterSection root);
+  void read_results(ParameterSection root);
+  void make_coarse_mesh(const ParameterSection &mesh_section, CaseUse use);
+  void read_boundaries(ParameterSection root);
+  void prepare_loads(ParameterSection root); ///< profiles, outlets, fits
+  void prepare_results(ParameterSection root);
+  void name_all_quantities(ParameterFile &file);
+
+  std::vector<bool> are_regions_solid() const;
 };
 } // namespace Continua
 
