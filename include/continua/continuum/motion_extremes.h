@@ -43,7 +43,7 @@ struct LiquidSizes
 {
   double volume = 0.;
   double area = 0.;           ///< of all walls
-  double area_of_solids = 0.; ///< of those walls that are solids
+  double area_of_solids = 0.; ///< of the walls that are solids
 
   /// Of all ranks, from their parts. Collective.
   void sum(MPI_Comm communicator);
