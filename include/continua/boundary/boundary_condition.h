@@ -112,13 +112,13 @@ struct BoundaryCondition
   std::shared_ptr<const Outlet> outlet;
   AbsorbingEndParameters absorbing; ///< of Type = absorbing
   InflowPressure inflow_pressure = InflowPressure::static_pressure;
-  /// Of a cavity: the volume that it encloses over that in the mesh at rest [1], of time alone.
+  /// Of a cavity: the volume that it encloses over the undeformed one [1], of time alone.
   Waveform volume_ratio = Waveform(1.);
   std::optional<FreeFlow> free_flow;
 
   MeshCondition mesh = MeshCondition::automatic;
-  /// Of a mesh that follows: Cartesian components, by the place at rest [m/s]; empty: that of the
-  /// liquid.
+  /// Of a mesh that follows: Cartesian components, by the undeformed place [m/s]; empty: that of
+  /// the liquid.
   std::vector<Waveform> mesh_velocity;
 
   /// Whether a mesh that moves may slide along the boundary where it is plane. By itself where no

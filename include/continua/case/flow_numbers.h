@@ -25,7 +25,7 @@ struct FlowNumbersInput
   double mean_speed = 0.;    ///< [m/s] over that boundary, the largest of the run
   double largest_speed = 0.; ///< [m/s] on it
   double density = 0.;       ///< [kg/m^3] of the liquid there
-  double viscosity = 0.;     ///< [Pa s], at rest; 0: inviscid
+  double viscosity = 0.;     ///< [Pa s], at zero rate of shear; 0: inviscid
   bool is_at_rest = false;   ///< whether the viscosity depends on the rate of shear
   Duct duct = Duct::none;
   /// [m]: of a channel its gap; of a pipe four times the area over the wetted perimeter; where
