@@ -7,7 +7,7 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
-#include <continua/case/preflight_report.h>
+#include <continua/case/before_the_run/preflight_report.h>
 #include <continua/mesh/refinement_tree.h>
 #include <continua/postprocess/writing_rank.h>
 

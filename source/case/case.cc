@@ -1,12 +1,12 @@
+#include <continua/case/before_the_run/cost_of_case.h>
 #include <continua/case/case.h>
-#include <continua/case/case_checks.h>
-#include <continua/case/cost_of_case.h>
+#include <continua/case/rules/case_checks.h>
 
 #include <continua/base/quoted_name.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
+#include <continua/case/before_the_run/preflight_input.h>
 #include <continua/case/periodic_loads.h>
-#include <continua/case/preflight_input.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/distortion.h>
 #include <continua/mesh/regions_of_boundary.h>

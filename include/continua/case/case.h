@@ -5,7 +5,6 @@
 #include <continua/base/expected_value.h>
 #include <continua/base/parameter_file.h>
 #include <continua/base/quantity_names.h>
-#include <continua/case/absorbing_ends.h>
 #include <continua/case/analysis_traits.h>
 #include <continua/case/discretisation.h>
 #include <continua/case/harmonic_parameters.h>
@@ -15,6 +14,7 @@
 #include <continua/case/periodic_state_parameters.h>
 #include <continua/case/power_laws.h>
 #include <continua/case/resonance_parameters.h>
+#include <continua/case/theory/absorbing_ends.h>
 #include <continua/case/wave_theory_parameters.h>
 #include <continua/continuum/problem.h>
 #include <continua/mesh/adaptation.h>
