@@ -210,7 +210,7 @@ FeatureGroup<dim> boundaries_as_features()
                         [](Input, Condition condition)
                         { return condition.profile == FlowProfile::Shape::womersley; }),
        of_boundary<dim>("womersley profile of a liquid that was at rest",
-                        "Boundaries/<name>/Flow before the start = at rest",
+                        "Boundaries/<name>/Profile = womersley from rest",
                         [](Input, Condition condition)
                         {
                           return condition.profile == FlowProfile::Shape::womersley &&
