@@ -135,7 +135,8 @@ UNIT_TEST(command_line)
   for (const char *const word :
        {"--set", "--unset", "--output", "--overwrite", "--restart", "--validate",
         "--print-parameters", "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh",
-        "--examples", "--serve", "--jobs", "--print-rules", "0 done", "1 the run failed", "2 the input is wrong"})
+        "--examples", "--serve", "--jobs", "--print-rules", "0 done", "1 the run failed",
+        "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }
