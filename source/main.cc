@@ -17,6 +17,7 @@
 #include <continua/program/parameter_catalogue.h>
 #include <continua/program/parameter_templates.h>
 #include <continua/program/run_report.h>
+#include <continua/program/rules_page.h>
 #include <continua/program/script.h>
 #include <continua/program/several_runs.h>
 #include <continua/program/unknown_names.h>
@@ -225,6 +226,13 @@ int perform(const CommandLine &command_line, const MPI_Comm communicator)
   {
     std::ostringstream text;
     print_examples(text, examples_folder());
+    if (is_writer)
+      print_all(text.str());
+  }
+  else if (!command_line.print_rules.empty())
+  {
+    std::ostringstream text;
+    print_rules(text, style_of(command_line.print_rules));
     if (is_writer)
       print_all(text.str());
   }

@@ -5,7 +5,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/rank_agreement.h>
-#include <continua/case/cost_of_case.h>
+#include <continua/case/before_the_run/cost_of_case.h>
 #include <continua/mesh/mesh_file.h>
 #include <continua/mesh/partition.h>
 

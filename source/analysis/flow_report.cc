@@ -1,6 +1,6 @@
 #include <continua/analysis/flow_report.h>
 
-#include <continua/case/flow_numbers_input.h>
+#include <continua/case/before_the_run/flow_numbers_input.h>
 
 #include <algorithm>
 #include <map>

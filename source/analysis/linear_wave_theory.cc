@@ -5,10 +5,10 @@
 #include <continua/analysis/stream_report.h>
 #include <continua/analysis/wave_report.h>
 #include <continua/base/interruption.h>
-#include <continua/case/loaded_tube_case.h>
 #include <continua/case/measured_waves.h>
-#include <continua/case/station_waves.h>
-#include <continua/case/tube_wave_case.h>
+#include <continua/case/theory/loaded_tube_case.h>
+#include <continua/case/theory/station_waves.h>
+#include <continua/case/theory/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/beats.h>
 #include <continua/signal/energy_frequency.h>

@@ -1,8 +1,8 @@
 #include <continua/analysis/loaded_tube_report.h>
 
 #include <continua/base/table_writer.h>
-#include <continua/case/loaded_tube_case.h>
-#include <continua/case/tube_wave_case.h>
+#include <continua/case/theory/loaded_tube_case.h>
+#include <continua/case/theory/tube_wave_case.h>
 #include <continua/theory/korteweg.h>
 
 #include <sstream>

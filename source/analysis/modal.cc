@@ -269,54 +269,9 @@ void Modal<dim>::add_quantities(const unsigned int number, const Mode &mode)
 template <int dim>
 void Modal<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
-  {
-    const Material &material = input.problem.materials[region];
-    ParameterSection section =
-        root.subsection("Materials").subsection(input.problem.regions[region]);
-    if (!material.is_solid())
-      section.refuse("Type", "a modal analysis is of solids, which a fluid is not",
-                     "Use Analysis = transient");
-    if (material.relaxes())
-      section.refuse("Type",
-                     "this solid relaxes, so that its stiffness depends on the frequency and its "
-                     "vibrations die away",
-                     "Use hookean with the modulus at the frequency in question, or Analysis = "
-                     "transient");
-  }
-  ParameterSection boundaries = root.subsection("Boundaries");
-  for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.type == BoundaryType::absorbing)
-      boundaries.subsection(condition.name)
-          .refuse("Type", "an end that takes waves up has no vibrations that last",
-                  "Use 'free', 'roller' or 'fixed', or Analysis = transient");
-  ParameterSection modal = root.subsection("Modal");
-  if (input.modal.highest() && !input.discretisation.is_cell_wise())
-    modal.refuse("Which",
-                 "the highest modes of the finite elements are not sought: with an incompressible "
-                 "material they have no bound",
-                 "Set Discretisation = cell-wise, or Which = lowest");
   if (!input.modal.highest() && input.modal.shift == 0.)
     refuse_free_motions(input, root, ", so that the frequency 0 Hz is a mode's",
                         "; or give Modal/Shift a frequency, such as half of the first mode's");
-  ParameterSection linear_solver = root.subsection("Linear solver");
-  if (!input.discretisation.is_cell_wise() &&
-      input.discretisation.taylor_hood.linear_solver.type == LinearSolverType::iterative)
-    linear_solver.refuse("Type", "vibrations have an indefinite matrix, which is solved directly",
-                         "Use automatic or direct");
-  if (!input.discretisation.is_cell_wise() && linear_solver.given("Factor precision"))
-    linear_solver.refuse("Factor precision", "the factor of vibrations has double precision",
-                         "Remove it");
-  if (!input.discretisation.is_cell_wise() &&
-      input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::umfpack)
-    linear_solver.refuse(
-        "Direct solver",
-        "umfpack does not tell the signs of its pivots, by which modes are counted",
-        "Use automatic or mumps");
-  if (input.modal.shift > 0. &&
-      input.discretisation.taylor_hood.linear_solver.direct_solver == DirectSolver::cholmod)
-    linear_solver.refuse("Direct solver", "cholmod does not pivot, which a shift needs",
-                         "Use automatic or mumps");
 }
 
 template <int dim>

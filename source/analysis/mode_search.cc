@@ -315,7 +315,7 @@ void ModeSearch<dim>::choose_shapes(std::vector<Eigenpair> &pairs,
   {
     Eigenpair &pair = mixed[k];
     pair.value = value;
-    // That of a combination with unit weights is at most this.
+    // The residual of a combination with unit weights is at most this.
     pair.residual = std::sqrt(residual);
     pair.real.assign(n, 0.);
     pair.imaginary.assign(n, 0.);

@@ -58,22 +58,13 @@ void RestSearch<dim>::check(const Case<dim> &input,
                             const std::string &remedy)
 {
   const std::vector<Material> &materials = input.problem.materials;
-  // A power law relaxes for ever.
-  for (unsigned int region = 0; region < materials.size(); ++region)
-    if (materials[region].has_power_law())
-      root.subsection("Materials")
-          .subsection(input.problem.regions[region])
-          .refuse("Type",
-                  "the stress of a power law relaxes to zero, so that it has no state at rest",
-                  "Use a law with a long-term modulus, or " + remedy);
   for (unsigned int region = 0; region < materials.size(); ++region)
     if (!materials[region].shear.branches.empty() &&
-        (materials[region].long_term_shear_modulus() == 0. ||
-         std::isinf(materials[region].long_term_inverse_bulk_modulus())))
+        std::isinf(materials[region].long_term_inverse_bulk_modulus()))
       root.subsection("Materials")
           .subsection(input.problem.regions[region])
           .refuse("Type",
-                  "the stress of this solid relaxes to zero, so that it has no state at rest",
+                  "the pressure of this solid relaxes to zero, so that it has no state at rest",
                   "Use a law with a long-term modulus, or " + remedy);
   for (const BoundaryCondition &condition : input.problem.conditions)
     for (const BoundaryPart *part : {&condition.normal, &condition.tangential})

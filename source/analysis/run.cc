@@ -4,7 +4,7 @@
 #include <continua/base/interruption.h>
 #include <continua/base/memory_limit.h>
 #include <continua/base/version.h>
-#include <continua/case/cost_of_case.h>
+#include <continua/case/before_the_run/cost_of_case.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/gmsh_geometry.h>
 #include <continua/mesh/kept_corners.h>

@@ -1,6 +1,6 @@
 #include <continua/analysis/stream_report.h>
 
-#include <continua/case/stream_case.h>
+#include <continua/case/theory/stream_case.h>
 #include <continua/theory/womersley.h>
 
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
-#include <continua/case/preflight_report.h>
+#include <continua/case/before_the_run/preflight_report.h>
 #include <continua/mesh/refinement_tree.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -43,9 +43,6 @@ Transient<dim>::Transient(Run<dim> &run)
 template <int dim>
 void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  if (ParameterSection steady = root.subsection("Steady"); steady.given("Time of loads"))
-    steady.refuse("Time of loads", "a run in time starts under the loads at t = 0",
-                  "Remove the entry, or set Analysis = steady");
   LinearWaveTheory<dim>::check_overlay(input, root);
   StreamReport<dim>::check(input, root);
   const bool finds_unloaded_shape = input.problem.finds_unloaded_shape();
@@ -54,13 +51,6 @@ void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
   const std::string remedy =
       finds_unloaded_shape ? "set Unloaded shape = mesh" : "set Initial state/Type = given";
   RestSearch<dim>::check(input, root, remedy);
-  for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.profile == FlowProfile::Shape::womersley && condition.past == FlowPast::at_rest)
-      root.subsection("Boundaries")
-          .subsection(condition.name)
-          .refuse("Profile",
-                  "the liquid of this profile is at rest before t = 0, and the flow steady",
-                  "Set Flow before the start = steady or periodic, or " + remedy);
 }
 
 template <int dim>

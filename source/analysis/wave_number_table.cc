@@ -3,7 +3,7 @@
 #include <continua/base/six_digits.h>
 #include <continua/base/table_writer.h>
 #include <continua/base/undefined.h>
-#include <continua/case/tube_wave_case.h>
+#include <continua/case/theory/tube_wave_case.h>
 #include <continua/theory/dispersion_curves.h>
 
 #include <deal.II/base/numbers.h>

@@ -34,7 +34,7 @@ const std::vector<Option> &options()
       {"-h", Option::Value::none},          {"--allow-mesh-commands", Option::Value::none},
       {"--new", Option::Value::next},       {"--mesh", Option::Value::required},
       {"--examples", Option::Value::none},  {"--jobs", Option::Value::required},
-      {"--serve", Option::Value::required}};
+      {"--serve", Option::Value::required}, {"--print-rules", Option::Value::optional}};
   return table;
 }
 
@@ -129,6 +129,13 @@ void apply(CommandLine &result, const std::string &name, const std::string &valu
              "The styles are prm, json and markdown");
     result.print_parameters = value;
   }
+  else if (name == "--print-rules")
+  {
+    if (value != "markdown" && value != "json")
+      refuse("--print-rules=" + value, "there is no such style",
+             "The styles are markdown and json");
+    result.print_rules = value;
+  }
   else if (name == "--mesh")
   {
     if (std::filesystem::path(value).extension() != ".vtu")
@@ -207,7 +214,9 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
       seen.push_back(option.name);
     }
 
-    std::string value = option.value == Option::Value::optional ? "prm" : "";
+    std::string value = option.name == "--print-parameters" ? "prm"
+                        : option.name == "--print-rules"    ? "markdown"
+                                                            : "";
     if (equals != std::string::npos)
     {
       if (option.value == Option::Value::none)
@@ -257,10 +266,13 @@ CommandLine CommandLine::parse(const int argc, const char *const *argv)
   if (result.new_file && seen.size() + result.overrides.size() + result.sweeps.size() > 1)
     refuse("--new", "it writes a first parameter file, and takes no other option",
            "Write continua --new NAME FILE.prm, then continua FILE.prm");
+  if (!result.print_rules.empty() && arguments.size() > 2)
+    refuse("--print-rules", "it prints the rules for all files, and stands alone",
+           "Write continua --print-rules, or continua --validate FILE.prm to check a file");
   if (!result.mesh_file.empty() && result.parameter_file.empty())
     refuse("--mesh", "the parameter file is missing", "Write continua FILE.prm --mesh FILE.vtu");
   if (result.parameter_file.empty() && !result.help && !result.version && !result.new_file &&
-      !result.examples && result.print_parameters.empty())
+      !result.examples && result.print_parameters.empty() && result.print_rules.empty())
     refuse("", "the parameter file is missing",
            "Write continua FILE.prm; continua --new begins one, --help lists the options");
   if (result.output_directory.empty() && !result.parameter_file.empty() && !result.new_file &&
@@ -316,6 +328,8 @@ Runs what the parameter file describes. Several files are run one after the othe
                               such a file is refused
   --print-parameters[=STYLE]  prints every entry with value, unit and meaning, and stops;
                               STYLE is prm (default), json or markdown; without FILE the defaults
+  --print-rules[=STYLE]       prints which features go with which, and stops; STYLE is markdown (default)
+                              or json
   --serve SOCKET              performs the command lines that come through the socket, without starting
                               anew for each: for many short runs (see the manual)
   --examples                  lists the parameter files that came with the program, and where they are

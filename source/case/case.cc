@@ -1,12 +1,12 @@
+#include <continua/case/before_the_run/cost_of_case.h>
 #include <continua/case/case.h>
-#include <continua/case/case_checks.h>
-#include <continua/case/cost_of_case.h>
+#include <continua/case/rules/case_checks.h>
 
 #include <continua/base/quoted_name.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
+#include <continua/case/before_the_run/preflight_input.h>
 #include <continua/case/periodic_loads.h>
-#include <continua/case/preflight_input.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/distortion.h>
 #include <continua/mesh/regions_of_boundary.h>
@@ -16,96 +16,6 @@
 namespace Continua
 {
 using namespace dealii;
-
-void GeneralParameters::read(ParameterSection root,
-                             const std::vector<std::pair<std::string, std::string>> &analyses)
-{
-  root.add("Title", title, "What the run is called in summaries and legends.");
-  std::vector<std::string> names;
-  std::string text = "What is done:";
-  for (const auto &type : analyses)
-  {
-    names.push_back(type.first);
-    text += " " + type.first + " - " + type.second;
-  }
-  root.add_choice("Analysis", analysis, names, text);
-  root.add_choice("Model", model, model_names(),
-                  "The kinematics: plane strain, plane stress (Hookean solids only), axisymmetric "
-                  "(x axial, y radial), "
-                  "three-dimensional.");
-  names.clear();
-  text = "How the equations are discretised in space:";
-  for (const auto &type : discretisation_types())
-  {
-    text += (names.empty() ? " " : "; ") + type.first + " - " + type.second;
-    names.push_back(type.first);
-  }
-  root.add_choice("Discretisation", discretisation, names, text + ".");
-  root.add_choice(
-      "Convection", convection, {"none", "navier stokes"},
-      "Convective terms of the equations: none - linear waves and creeping flow; navier "
-      "stokes - momentum and pressure of the liquids are convected, and their density follows the "
-      "pressure.");
-  add_choice(
-      root, "Deformation", deformation, deformation_words(),
-      "How large the deformation of the solids may be: small - linear; finite - the "
-      "equations are those of the deformed body, by the Strain law of each material, and "
-      "the mesh of the liquids moves with the solids, and with boundaries of Mesh = follows.");
-  add_choice(
-      root, "Mesh motion", mesh_motion, mesh_motion_words(),
-      "With finite deformation, how the motion of the solids is extended into the mesh of "
-      "the liquids: hyperelastic - as a body whose energy grows without bound where a cell "
-      "vanishes, linearised in each step; elastic - as a linear elastic body, with one "
-      "factor for the whole run. Both are stiff where cells are small. On the cell-wise path "
-      "the entry itself lets the mesh move, beside solids of small deformation, and is "
-      "elastic.");
-  add_choice(
-      root, "Unloaded shape", unloaded_shape, unloaded_shape_words(),
-      "With finite deformation, the shape in which the body is free of stress: mesh - that of "
-      "the mesh; inverse solve - the mesh has the shape under the loads at t = 0, such as that "
-      "of a vessel in an image, and one inverse solve, as the section Steady says, finds the "
-      "shape from which these loads bring the body to it. The run starts in the shape of the "
-      "mesh, in balance and at rest.");
-}
-
-void RestParameters::read(ParameterSection section, const bool is_nonlinear)
-{
-  section.add("Time step", time_step, Dimensions::time,
-              "First of the steps of backward Euler that lead to rest with convection or finite "
-              "deformation. If it is not given, a first step without a solution is made anew at a "
-              "quarter of its size until there is one. The state at rest does not depend on it. "
-              "Linear equations of rest are solved without steps.",
-              Range::positive());
-  finds_first_step = !section.given("Time step");
-  section.add("Tolerance", tolerance, Dimensions::none,
-              "The steps of backward Euler end when the velocity changes in one by less than this "
-              "fraction of the largest velocity so far; the change of a step that was halved "
-              "counts as that of Time step. The solves of the equations of rest, which follow, "
-              "end when one changes the displacement of each solid and the forces of each liquid "
-              "by less than this fraction of them.",
-              Range::positive());
-  section.add("Maximum steps", maximum_steps, "Steps after which the run gives up [1].", 1);
-  if (is_nonlinear)
-    time_step_growth = 2.;
-  section.add("Time step growth", time_step_growth, Dimensions::none,
-              "Largest ratio of a step to the one before it; 1 keeps them at one size, with one "
-              "matrix. With convection or finite deformation a step grows where Newton's iteration "
-              "needed no more than "
-              "half of its maximum, and a step without a solution is made anew at half its size.",
-              Range{1., 100.});
-  section.add("Time of loads", time_of_loads, Dimensions::time,
-              "Time at which a steady analysis takes loads and prescribed velocities. With "
-              "Unloaded shape = inverse solve the mesh has the shape under those at t = 0, and "
-              "the displacement leads from there to the shape at rest under those at this time.");
-  section.add(
-      "Load steps", load_steps,
-      "Steps in which loads and prescribed velocities come, by equal parts, one for each "
-      "time step; with a long Time step it is a continuation in the load, of a flow in the "
-      "Reynolds number. A part without a solution is halved. With convection or finite "
-      "deformation alone. After an inverse solve for the unloaded shape they also go through "
-      "the times from 0 to Time of loads [1].",
-      1);
-}
 
 namespace
 {
@@ -131,10 +41,7 @@ void read_measured_waves(const Probes<dim> &probes,
                   MeasuredWaves(measured, probe.section, probe.positions, probe.fields));
   }
 }
-} // namespace
 
-namespace
-{
 /// What is asked for beside the fields that are always there.
 template <int dim>
 void set_further_fields(Case<dim> &input, const ParameterSection &output, const bool in_time)
@@ -142,12 +49,6 @@ void set_further_fields(Case<dim> &input, const ParameterSection &output, const 
   Problem &problem = input.problem;
   problem.further_fields = input.output.further_fields;
   const bool has_averages = problem.further_fields.wall_shear_averages;
-  if (output.given("Further fields") && input.discretisation.is_cell_wise())
-    output.refuse("Further fields", "the cell-wise path has none of these fields",
-                  "Leave the entry out, or set Discretisation = taylor hood");
-  if (has_averages && !in_time)
-    output.refuse("Further fields", "a state without time has no averages",
-                  "Leave them out, or set Analysis = transient");
   problem.wall_shear_window = input.output.wall_shear_window;
   problem.wall_shear_window.is_kept =
       has_averages || input.probes.asks_for_averages(field_names<dim>(problem));
@@ -177,17 +78,32 @@ Case<dim>::Case(ParameterFile &file,
       probes(communicator)
 {
   ParameterSection root = file.root();
+  read_body(file);
+  read_equations(file);
+  read_analysis(root);
+  read_results(root);
+  make_coarse_mesh(root.subsection("Mesh"), use);
+  read_boundaries(root);
+  // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
+  file.refuse_unknown();
+  check_case(*this, root);
+  prepare_loads(root);
+  prepare_results(root);
+  name_all_quantities(file);
+}
+
+template <int dim>
+void Case<dim>::read_body(ParameterFile &file)
+{
+  ParameterSection root = file.root();
   general.analysis = analysis.name;
   problem.communicator = communicator;
   problem.model = model_of(general.model);
   problem.deformation = general.deformation;
   problem.unloaded_shape = general.unloaded_shape;
   problem.mesh_motion = general.mesh_motion;
-  const bool axisymmetric = problem.model == Model::axisymmetric;
-  const bool in_time = analysis.motion == Motion::in_time;
-
-  geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"), axisymmetric,
-                                boundaries_held_across(file));
+  geometry = make_geometry<dim>(root.subsection("Geometry"), root.subsection("Mesh"),
+                                problem.model == Model::axisymmetric, boundaries_held_across(file));
   mesh = MeshParameters::read(root.subsection("Mesh"));
   problem.regions = geometry->regions();
   problem.boundaries = geometry->boundaries();
@@ -213,6 +129,12 @@ Case<dim>::Case(ParameterFile &file,
         materials.subsection(region).given("Relaxation table"))
       power_laws.note_table(region, materials.subsection(region));
   }
+}
+
+template <int dim>
+void Case<dim>::read_equations(ParameterFile &file)
+{
+  ParameterSection root = file.root();
   discretisation.read(root, general.discretisation);
   const bool some_liquid =
       std::any_of(problem.materials.begin(), problem.materials.end(),
@@ -242,6 +164,12 @@ Case<dim>::Case(ParameterFile &file,
     problem.convection.read(root.subsection("Flow"));
   if (problem.is_nonlinear() || root.has_subsection("Newton"))
     problem.newton.read(root.subsection("Newton"));
+}
+
+template <int dim>
+void Case<dim>::read_analysis(ParameterSection root)
+{
+  const bool in_time = analysis.motion == Motion::in_time;
   if (in_time)
   {
     time.read(root.subsection("Time"));
@@ -288,6 +216,12 @@ Case<dim>::Case(ParameterFile &file,
     wave_theory.read(root.subsection("Wave theory"));
   if (in_time && root.has_subsection("Periodic state"))
     periodic_state.read(root.subsection("Periodic state"));
+}
+
+template <int dim>
+void Case<dim>::read_results(ParameterSection root)
+{
+  const bool in_time = analysis.motion == Motion::in_time;
   output.read(root.subsection("Output"));
   for (const NamedInterface &named : geometry->interfaces())
     if (root.subsection("Boundaries").has_subsection(named.name))
@@ -301,56 +235,75 @@ Case<dim>::Case(ParameterFile &file,
   if (!analysis.is_modal() && !analysis.is_harmonic())
     error_norms.read(root.subsection("Exact solution"));
   expected = read_expected(root.subsection("Expected"));
+}
 
-  std::vector<bool> are_solid;
-  for (const Material &material : problem.materials)
-    are_solid.push_back(material.is_solid());
-  triangulation = make_triangulation<dim>(communicator, mesh.partition, are_solid);
+template <int dim>
+void Case<dim>::make_coarse_mesh(const ParameterSection &mesh_section, const CaseUse use)
+{
+  triangulation = make_triangulation<dim>(communicator, mesh.partition, are_regions_solid());
   extent = geometry->extent();
   // Once, since the free memory changes.
   discretisation.taylor_hood.outlook = solver_outlook(*this);
-  check_memory(*this, root.subsection("Mesh"));
+  check_memory(*this, mesh_section);
   if (use == CaseUse::check && extent.n_cells > most_cells_of_check)
     if (std::unique_ptr<Geometry<dim>> coarse = geometry->coarsened(most_cells_of_check))
       geometry = std::move(coarse);
   geometry->create(*triangulation);
   distort_coarse_mesh(*triangulation, mesh.distortion);
+}
 
-  std::set<std::pair<unsigned int, unsigned int>> pairs;
+template <int dim>
+void Case<dim>::read_boundaries(ParameterSection root)
+{
   for (unsigned int boundary = 0; boundary < problem.boundaries.size(); ++boundary)
     for (const unsigned int region : regions_of_boundary<dim>(*triangulation, boundary))
-      pairs.insert({boundary, region});
-  problem.conditions = read_boundary_conditions(root.subsection("Boundaries"), problem.boundaries,
-                                                problem.regions, pairs, dim, axisymmetric);
+      boundary_regions.insert({boundary, region});
+  problem.conditions =
+      read_boundary_conditions(root.subsection("Boundaries"), problem.boundaries, problem.regions,
+                               boundary_regions, dim, problem.model == Model::axisymmetric);
   if (analysis.name == "harmonic")
     harmonic.read_phases(root, problem.conditions);
+}
 
-  // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
-  file.refuse_unknown();
-  check_case(*this, root);
+template <int dim>
+void Case<dim>::prepare_loads(ParameterSection root)
+{
+  const bool in_time = analysis.motion == Motion::in_time;
   // A start from the mean needs them, too.
   const bool has_beats = analysis.is_harmonic() && periodic_state.is_on;
   if (analysis.is_transient() || has_beats)
     set_periodic_loads(*this, root);
   // Wave theory takes the laws themselves, and a run that goes on has its branches in a checkpoint.
   if (analysis.is_transient() && !restart)
-    power_laws.fit(problem, time, materials);
+    power_laws.fit(problem, time, root.subsection("Materials"));
   set_flow_profiles(problem.conditions, root.subsection("Boundaries"), *triangulation,
                     problem.materials, {!in_time, time.end_time, time.time_step});
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
   absorbing_ends.add(*this, root, restart);
-  probes.check(*triangulation, field_names<dim>(problem), pairs);
+}
+
+template <int dim>
+void Case<dim>::prepare_results(ParameterSection root)
+{
+  const bool in_time = analysis.motion == Motion::in_time;
+  probes.check(*triangulation, field_names<dim>(problem), boundary_regions);
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal() || analysis.is_harmonic(),
-                       in_time, problem.deformation == Deformation::finite, are_solid,
+                       in_time, problem.deformation == Deformation::finite, are_regions_solid(),
                        problem.some_mesh_moves()},
                       field_names<dim>(problem));
   n_histories = probes.expected_columns(field_names<dim>(problem)).size();
   check_histories(*this, root.subsection("Probes"));
-  if (periodic_state.is_on && (analysis.is_transient() || has_beats))
+  if (periodic_state.is_on && (analysis.is_transient() || analysis.is_harmonic()))
     check_compared_probes(*this, root.subsection("Periodic state"));
   set_further_fields(*this, root.subsection("Output"), in_time);
+}
+
+template <int dim>
+void Case<dim>::name_all_quantities(ParameterFile &file)
+{
+  ParameterSection root = file.root();
   power_laws.name_quantities(quantities);
   analysis.name_quantities(*this, quantities);
   if (analysis.name_others != nullptr)
@@ -366,6 +319,15 @@ Case<dim>::Case(ParameterFile &file,
     expected.erase(left_out, expected.end());
   }
   quantities.refuse_others(file, root.subsection("Expected"), expected);
+}
+
+template <int dim>
+std::vector<bool> Case<dim>::are_regions_solid() const
+{
+  std::vector<bool> are_solid;
+  for (const Material &material : problem.materials)
+    are_solid.push_back(material.is_solid());
+  return are_solid;
 }
 
 template struct Case<2>;

@@ -27,7 +27,7 @@ RestState rest_state_at(const Material &material,
     return state;
   const Kinematics unloading(unloaded_gradient);
   state.volume_ratio *= unloading.volume_ratio();
-  // Without its turn, so that the directions of the mesh are those of the piece at rest.
+  // Without its turn, so that the directions of the mesh are those of the stress-free piece.
   if (state.volume_ratio > 0.)
     state.prestretch = RightStretch(unloading.deformation_gradient()).inverse() * state.prestretch;
   return state;

@@ -44,7 +44,7 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
 template <int dim>
 void TaylorHood<dim>::setup()
 {
-  // Those of the old mesh go first: two would need twice the memory.
+  // The products of the old mesh go first: two would need twice the memory.
   for (RegionOperators &region : operators)
     region.products = nullptr;
   systems.forget_derivative();

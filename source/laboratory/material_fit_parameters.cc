@@ -2,7 +2,7 @@
 
 #include <continua/base/csv_table.h>
 #include <continua/base/words.h>
-#include <continua/case/bar_tables.h>
+#include <continua/case/theory/bar_tables.h>
 #include <continua/theory/bar_law.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <continua/base/parameter_file.h>
 #include <continua/base/parameter_text.h>
-#include <continua/case/bar_tables.h>
+#include <continua/case/theory/bar_tables.h>
 #include <continua/materials/material.h>
 #include <continua/studies/planned_run.h>
 

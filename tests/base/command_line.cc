@@ -60,6 +60,8 @@ UNIT_TEST(command_line)
                      !plain.allow_mesh_commands);
   check::equal("default style", parse({"--print-parameters"}).print_parameters, "prm");
   check::equal("style", parse({"--print-parameters=json"}).print_parameters, "json");
+  check::equal("rules", parse({"--print-rules"}).print_rules, "markdown");
+  check::equal("style of rules", parse({"--print-rules=json"}).print_rules, "json");
   check::equal("style of a file", parse({"--print-parameters=markdown", "beam.prm"}).parameter_file,
                "beam.prm");
 
@@ -125,13 +127,16 @@ UNIT_TEST(command_line)
   refused("a value taken out", {"a.prm", "--unset", "A=1"}, "--unset A=1.*no.*name.*--unset");
   refused("nothing taken out", {"a.prm", "--unset"}, "'--unset'.*missing");
   refused("unknown style", {"--print-parameters=xml"}, "xml.*prm, json and markdown");
+  refused("unknown style of rules", {"--print-rules=prm"}, "prm.*markdown and json");
+  refused("rules of a file", {"a.prm", "--print-rules"}, "'--print-rules'.*--validate FILE");
   refused("value of a flag", {"a.prm", "--restart=yes"}, "--restart=yes.*takes no value");
   refused("option given twice", {"a.prm", "--output=b", "--output=c"}, "'--output'.*twice");
 
   for (const char *const word :
        {"--set", "--unset", "--output", "--overwrite", "--restart", "--validate",
         "--print-parameters", "--version", "--help, -h", "--allow-mesh-commands", "--new", "--mesh",
-        "--examples", "--serve", "--jobs", "0 done", "1 the run failed", "2 the input is wrong"})
+        "--examples", "--serve", "--jobs", "--print-rules", "0 done", "1 the run failed",
+        "2 the input is wrong"})
     check::is_true(std::string("help names ") + word,
                    CommandLine::usage().find(word) != std::string::npos);
 }

@@ -2,7 +2,7 @@
 // the kernel counted it. All within the factor of two that the manual promises. Times are left to
 // scripts/measure/estimates, since they depend on the machine.
 
-#include <continua/case/cost_estimate.h>
+#include <continua/case/before_the_run/cost_estimate.h>
 
 #include "../unit_test.h"
 

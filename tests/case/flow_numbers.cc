@@ -1,7 +1,7 @@
 // The numbers of a flow by hand, for water in a pipe of 10 mm and in a channel, and each of the
 // warnings.
 
-#include <continua/case/flow_numbers.h>
+#include <continua/case/before_the_run/flow_numbers.h>
 
 #include "../unit_test.h"
 

@@ -3,7 +3,7 @@
 
 #include "../parameter_text.h"
 
-#include <continua/case/flow_numbers_input.h>
+#include <continua/case/before_the_run/flow_numbers_input.h>
 #include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,6 +1,6 @@
 // What drives a body, over frequency: a sine squared pulse, whose spectrum is known in closed form.
 
-#include <continua/case/load_spectrum.h>
+#include <continua/case/before_the_run/load_spectrum.h>
 
 #include "../unit_test.h"
 

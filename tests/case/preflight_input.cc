@@ -4,8 +4,8 @@
 #include "../parameter_text.h"
 #include "tube_text.h"
 
+#include <continua/case/before_the_run/preflight_input.h>
 #include <continua/case/case.h>
-#include <continua/case/preflight_input.h>
 #include <continua/program/analyses.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,7 +1,7 @@
 // The numbers of the pre-flight report against scripts/references/waves/preflight.py, and each of
 // its warnings.
 
-#include <continua/case/preflight_report.h>
+#include <continua/case/before_the_run/preflight_report.h>
 
 #include "../unit_test.h"
 

@@ -5,7 +5,7 @@
 #include "tube_text.h"
 
 #include <continua/case/case.h>
-#include <continua/case/tube_wave_case.h>
+#include <continua/case/theory/tube_wave_case.h>
 #include <continua/program/analyses.h>
 #include <continua/vessel/tube_law.h>
 

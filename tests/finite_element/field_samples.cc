@@ -212,7 +212,7 @@ void test_rim()
   // Two sides of the length 4 with the mean 1/3, two of the length 2 with 1.
   check::relative("mean round a rim", body.value(Kind::rim_mean, "velocity z", 0, point),
                   (8. / 3. + 4.) / 12., 1e-8);
-  // The velocity z^2 along the pipe: -eta 2 z e_r on the sides z = 1 and -1, of whose points the
+  // The velocity z^2 along the pipe: -eta 2 z e_r on the sides z = 1 and -1. At their points the
   // direction from the axis at rest has sin(arctan Y) = 1/sqrt(1 + Y^2) along z, but turned and
   // stretched along y as its normal. On the other sides dv/dz has z along z/sqrt(1/4 + z^2).
   const auto mean_on_line = [](const std::function<double(double)> &function)

@@ -236,7 +236,7 @@ void check_products(const std::string &name, const Model model)
       symmetry = std::max(symmetry, std::abs(product * expected / (other * source) - 1.));
       largest_eigenvalue = relaxation.largest_eigenvalue();
     }
-  // That of D^-1 A on the velocities of the mask, by many more power steps.
+  // The largest eigenvalue of D^-1 A on the velocities of the mask, by many more power steps.
   DistributedVector mode = mask;
   double exact_eigenvalue = 0.;
   for (unsigned int step = 0; step < 400; ++step)

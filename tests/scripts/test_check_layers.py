@@ -30,6 +30,14 @@ class CheckLayers(unittest.TestCase):
         })
         self.assertEqual((status, text), (0, "layers: ok\n"))
 
+    def test_drawing(self):
+        """doc/inside.md shows the drawing that the script makes of the includes."""
+        drawing = subprocess.run([SCRIPT, "--draw"], capture_output=True, text=True, check=True).stdout
+        with open(os.path.join(os.path.dirname(SCRIPT), "..", "..", "doc", "inside.md"), encoding="utf-8") as stream:
+            page = stream.read()
+        self.assertIn("scripts/check/layers --draw -->\n```\n" + drawing + "```\n<!-- end", page,
+                      "copy what scripts/check/layers --draw prints into doc/inside.md")
+
     def test_upwards(self):
         status, text = self.check({
             "include/continua/base/units.h": "// nothing\n\n  #  include <continua/materials/material.h>\n",

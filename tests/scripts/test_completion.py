@@ -29,6 +29,8 @@ class Completion(unittest.TestCase):
         self.assertEqual(offered("tube.prm", "--print-parameters", "=", "j"), ["json"])
         self.assertEqual(offered("--print-parameters=m"), ["--print-parameters=markdown"])
         self.assertEqual(offered("--print-parameters", "tu"), ["tube.prm"])
+        self.assertEqual(offered("--print-rules", "="), ["markdown", "json"])
+        self.assertEqual(offered("--print-rules=j"), ["--print-rules=json"])
 
     def test_files(self):
         self.assertEqual(offered("tu"), ["tube.prm"])

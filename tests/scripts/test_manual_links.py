@@ -13,7 +13,7 @@ except ImportError:
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # Made by the program when the manual is built.
 GENERATED = os.path.join(ROOT, "doc", "parameters")
-GENERATED_PAGES = ("thesis-slips",)
+GENERATED_PAGES = ("thesis-slips", "what-goes-with-what")
 
 
 def pages():

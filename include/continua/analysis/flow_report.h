@@ -2,7 +2,7 @@
 #define continua_analysis_flow_report_h
 
 #include <continua/analysis/run.h>
-#include <continua/case/flow_numbers.h>
+#include <continua/case/before_the_run/flow_numbers.h>
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #define continua_analysis_linear_wave_theory_h
 
 #include <continua/analysis/run.h>
-#include <continua/case/tube_wave_case.h>
+#include <continua/case/theory/tube_wave_case.h>
 
 #include <vector>
 

@@ -44,7 +44,7 @@ private:
   Step last_part;                ///< that was made
   bool step_is_divided = false;  ///< the present step is made in halves, since it had no solution
   unsigned long n_halved = 0;    ///< steps, and halves of them, without a solution
-  Checksum of_log;               ///< of what log.txt had at the last checkpoint
+  Checksum of_log;               ///< of log.txt as it was at the last checkpoint
   double earlier_wall_time = 0.; ///< [s] of the run before the restart
   std::chrono::steady_clock::time_point last_checkpoint = std::chrono::steady_clock::now();
 

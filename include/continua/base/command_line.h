@@ -13,8 +13,8 @@ namespace Continua
  */
 struct CommandLine
 {
-  /// Empty only with --version, --help, --examples, --print-parameters and --new; with --new the
-  /// file to write.
+  /// Empty only with --version, --help, --examples, --print-parameters, --print-rules and --new;
+  /// with --new the file to write.
   std::string parameter_file;
   std::vector<std::string> further_files; ///< they are run, or checked, too
   unsigned int n_jobs = 1;                ///< of --jobs: so many of several files at the same time
@@ -29,6 +29,7 @@ struct CommandLine
   bool examples = false;            ///< the shipped parameter files are listed
   bool allow_mesh_commands = false; ///< a .geo file may run programs and write files
   std::string print_parameters;     ///< empty, prm, json or markdown
+  std::string print_rules;          ///< empty, markdown or json
   std::string mesh_file;            ///< of --mesh: the mesh is written instead of a run
   bool new_file = false;            ///< print or write a template instead of a run
   std::string template_name;        ///< of --new; empty: list them

@@ -40,7 +40,8 @@ struct ParameterStore
     std::vector<std::string> path() const;
     /// The documentation of a quantity ends with its unit.
     std::string documentation() const;
-    /// That with what is accepted, for which a parameter file has no other place.
+    /// The documentation, and the values that are accepted: a parameter file has no other place for
+    /// them.
     std::string full_documentation() const;
   };
 

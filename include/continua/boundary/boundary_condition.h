@@ -34,8 +34,8 @@ struct BoundaryPart
   /// Of a flow rate, else null: `along_normal` is the flow rate into the body [m^3/s], and the
   /// velocity along the normal is minus the profile's.
   std::shared_ptr<const FlowProfile> flow;
-  /// Of what supports the body, which adds its own part of -(stiffness D + damping U) to a
-  /// traction; D is the displacement from rest.
+  /// Springs and dampers around the body, which add -(stiffness D + damping U) to the traction. D
+  /// is the displacement from the undeformed body.
   double stiffness = 0.; ///< [Pa/m]
   double damping = 0.;   ///< [Pa s/m]
 
@@ -104,21 +104,21 @@ struct BoundaryCondition
   bool is_in_plane = false;
   /// Of a flow rate, given or an outlet's.
   std::optional<FlowProfile::Shape> profile;
-  std::shared_ptr<const ProfileTable> profile_table; ///< of that profile, else null
+  std::shared_ptr<const ProfileTable> profile_table; ///< of a profile from a table, else null
   FlowPast past = FlowPast::at_rest;                 ///< of a womersley profile
   double period = 0.;                                ///< [s] of a periodic past
   /// Of an outlet, else null: what was read, for the whole tube. Without a port where the tube
   /// itself has to tell the impedance (absorbing). Its pressure is no part of `normal`.
   std::shared_ptr<const Outlet> outlet;
-  AbsorbingEndParameters absorbing; ///< of that type
+  AbsorbingEndParameters absorbing; ///< of Type = absorbing
   InflowPressure inflow_pressure = InflowPressure::static_pressure;
-  /// Of a cavity: the volume that it encloses over that in the mesh at rest [1], of time alone.
+  /// Of a cavity: the volume that it encloses over the undeformed one [1], of time alone.
   Waveform volume_ratio = Waveform(1.);
   std::optional<FreeFlow> free_flow;
 
   MeshCondition mesh = MeshCondition::automatic;
-  /// Of a mesh that follows: Cartesian components, by the place at rest [m/s]; empty: that of the
-  /// liquid.
+  /// Of a mesh that follows: Cartesian components, by the undeformed place [m/s]; empty: that of
+  /// the liquid.
   std::vector<Waveform> mesh_velocity;
 
   /// Whether a mesh that moves may slide along the boundary where it is plane. By itself where no

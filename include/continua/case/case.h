@@ -5,7 +5,6 @@
 #include <continua/base/expected_value.h>
 #include <continua/base/parameter_file.h>
 #include <continua/base/quantity_names.h>
-#include <continua/case/absorbing_ends.h>
 #include <continua/case/analysis_traits.h>
 #include <continua/case/discretisation.h>
 #include <continua/case/harmonic_parameters.h>
@@ -15,6 +14,7 @@
 #include <continua/case/periodic_state_parameters.h>
 #include <continua/case/power_laws.h>
 #include <continua/case/resonance_parameters.h>
+#include <continua/case/theory/absorbing_ends.h>
 #include <continua/case/wave_theory_parameters.h>
 #include <continua/continuum/problem.h>
 #include <continua/mesh/adaptation.h>
@@ -27,6 +27,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,6 +139,23 @@ struct Case
   HarmonicParameters harmonic; ///< of a harmonic analysis
   ResonanceParameters resonances;
   PeriodicResponseParameters periodic_response;
+
+private:
+  /// The (boundary, region) pairs that the coarse mesh has.
+  std::set<std::pair<unsigned int, unsigned int>> boundary_regions;
+
+  // The parts of the constructor, in their order.
+  void read_body(ParameterFile &file); ///< geometry, materials
+  void read_equations(ParameterFile &file);
+  void read_analysis(ParameterSection root);
+  void read_results(ParameterSection root);
+  void make_coarse_mesh(const ParameterSection &mesh_section, CaseUse use);
+  void read_boundaries(ParameterSection root);
+  void prepare_loads(ParameterSection root); ///< profiles, outlets, fits
+  void prepare_results(ParameterSection root);
+  void name_all_quantities(ParameterFile &file);
+
+  std::vector<bool> are_regions_solid() const;
 };
 } // namespace Continua
 

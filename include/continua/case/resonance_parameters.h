@@ -9,7 +9,7 @@ namespace Continua
 struct ResonanceParameters
 {
   double lowest = 0., highest = 0.;   ///< of |s|/(2 pi) [Hz]
-  double largest_damping_ratio = 0.9; ///< of what counts as a resonance [1]
+  double largest_damping_ratio = 0.9; ///< a motion with more damping is no resonance [1]
   double tolerance = 1e-8;            ///< of the rational approximation between the frequencies [1]
   unsigned int most_frequencies = 200;
   unsigned int loads_in_a_region = 2;

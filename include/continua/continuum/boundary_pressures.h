@@ -49,8 +49,8 @@ public:
   void build();
 
   /// Takes what is given at the step: that at its balance time, on the way to rest as far from the
-  /// volumes at rest, or from no flow, as the share of the loads says. Throws RunError if a volume
-  /// is not positive or a flow rate is no number.
+  /// undeformed volumes, or from no flow, as the share of the loads says. Throws RunError if a
+  /// volume is not positive or a flow rate is no number.
   void begin_step(const Step &step);
   /// Takes volumes, flow rates and derivatives at an iterate.
   void measure(const BalancedStep &balanced);

@@ -74,7 +74,7 @@ private:
     FieldDefinition<dim> field;
     ProbeWeights weights;
     bool is_sampled = false, follows_mesh = false;
-    double factor = 1.; ///< of the sum over the samples, at rest
+    double factor = 1.; ///< of the sum over the samples of the undeformed body
     unsigned int cavity = 0;
   };
 

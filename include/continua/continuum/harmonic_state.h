@@ -11,7 +11,8 @@ namespace Continua
 struct HarmonicState
 {
   DistributedVector &velocity, &displacement, &pressure; ///< [m/s], [m], [Pa]
-  /// By region: of whose gradient its stress is made, see State::mixtures [Pa m].
+  /// The vectors w of the regions, whose deviatoric stress is 2 dev sym grad w; see set_mixture()
+  /// [Pa m].
   std::vector<DistributedVector> &mixtures;
 };
 } // namespace Continua

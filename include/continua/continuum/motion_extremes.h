@@ -16,8 +16,8 @@ struct MotionExtremes
   double rotation = 0.;          ///< of solids [rad]
   double wall_displacement = 0.; ///< across its surface, of a solid's face beside a liquid [m]
   double liquid_speed = 0.;      ///< largest component of a liquid's velocity [m/s]
-  double wall_area = 0.; ///< of the faces of solids beside liquids, at rest [m^2], in a plane [m]
-  /// Twice the volume of the liquids at rest over the area of their walls: the radius of a tube,
+  double wall_area = 0.; ///< of the undeformed faces of solids beside liquids [m^2], in a plane [m]
+  /// Twice the volume of the undeformed liquids over the area of their walls: the radius of a tube,
   /// the height of a channel between two walls [m]. 0 without liquids or walls.
   double liquid_radius = 0.;
   double mesh_volume_ratio = 1.; ///< the least J of a mesh that moves, of all steps until now [1]
@@ -38,12 +38,12 @@ void take_point_of_solid(const dealii::Tensor<2, dim> &gradient,
 /// Whether the liquid of a region sticks at a boundary that does not move along its normal.
 bool is_wall(const Problem &problem, unsigned int boundary, unsigned int region);
 
-/// The liquids at rest and their walls [m^3, m^2], in a plane model [m^2, m].
+/// The undeformed liquids and their walls [m^3, m^2], in a plane model [m^2, m].
 struct LiquidSizes
 {
   double volume = 0.;
   double area = 0.;           ///< of all walls
-  double area_of_solids = 0.; ///< of those walls that are solids
+  double area_of_solids = 0.; ///< of the walls that are solids
 
   /// Of all ranks, from their parts. Collective.
   void sum(MPI_Comm communicator);

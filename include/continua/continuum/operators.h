@@ -125,8 +125,8 @@ public:
   // Loads and prescribed velocities.
   /// Without the loads that follow the present shape: those are terms of the equations.
   virtual const LoadList &loads() const = 0;
-  /// Those on the cells of one region and on their faces; for discretisations that have forces at
-  /// nodes. Made when they are first asked for on a mesh. Collective.
+  /// The loads on the cells of one region and on their faces; for discretisations that have forces
+  /// at nodes. Made when they are first asked for on a mesh. Collective.
   virtual const LoadList &loads_of(unsigned int /*region*/) { return loads(); }
   /// Whether a prescribed velocity jumps between the two times [s].
   virtual bool prescribed_velocity_jumps(double begin, double end) const = 0;

@@ -6,8 +6,8 @@ namespace Continua
 /// Which equations a region has.
 enum class RegionModel
 {
-  linear, ///< those of a small deformation without convection: products with matrices that stay
-  flow,   ///< of a liquid with convection, or on a mesh that moves
+  linear,      ///< of small deformation without convection: products with matrices that stay
+  flow,        ///< of a liquid with convection, or on a mesh that moves
   finite_solid ///< of a solid in finite deformation
 };
 } // namespace Continua

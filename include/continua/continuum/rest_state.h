@@ -17,7 +17,7 @@ struct RestState
   /// without fibres.
   std::vector<dealii::Tensor<1, 3>> fibres;
   /// F0^-1 [1]: see Prestretch. Where D0 leads from the mesh to the unloaded shape, after U0^-1 of
-  /// 1 + Grad D0 = R0 U0: a piece at rest is turned back, with its fibres and its prestretch.
+  /// 1 + Grad D0 = R0 U0: a stress-free piece is turned back, with its fibres and its prestretch.
   dealii::Tensor<2, 3> prestretch;
   /// det F0: the volume free of stress over that of the mesh [1].
   double volume_ratio = 1.;
@@ -26,9 +26,9 @@ struct RestState
 /// Whether a material has fibres or a prestretch, which need directions of the wall.
 bool has_directions(const Material &material);
 
-/// `directions`: of the mesh, along and around which fibres lie at rest; `share`: how much of the
-/// prestretch there is, 0 to 1; `unloaded_gradient`: Grad D0 by the mesh [1]. Where D0 turns the
-/// body inside out the volume ratio is not positive, and F0^-1 means nothing.
+/// `directions`: of the mesh, along and around which fibres lie without stress; `share`: how much
+/// of the prestretch there is, 0 to 1; `unloaded_gradient`: Grad D0 by the mesh [1]. Where D0 turns
+/// the body inside out the volume ratio is not positive, and F0^-1 means nothing.
 RestState rest_state_at(const Material &material,
                         const TubeDirections &directions,
                         double share = 1.,

@@ -19,7 +19,7 @@ struct State
   const DistributedVector &pressure; ///< [Pa]
   const BranchHistory &history;
   const WallShearAverage *wall_shear = nullptr; ///< null unless the run keeps it
-  /// Of whose slopes the directions of walls are made [1]; null where they are given.
+  /// The potentials whose gradients are the directions of walls [1]; null where these are given.
   const DistributedVector *wall_potentials = nullptr;
   /// From the mesh to the shape without stress [m]; null where that is the mesh's.
   const DistributedVector *unloaded_displacement = nullptr;
@@ -37,8 +37,8 @@ struct State
   }
 };
 
-/// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m], of whose gradient
-/// its stress is made; outside the region it is 0 or means nothing.
+/// Sets `mixture` to w = eta U + sum_k mu_k D_k of a region's material [Pa m]. The region's
+/// deviatoric stress is 2 dev sym grad w. Entries outside the region are undefined.
 void set_mixture(const State &state,
                  unsigned int region,
                  const Material &material,

@@ -35,8 +35,8 @@ std::array<double, 6> stress(const dealii::Tensor<2, dim> &mixture_gradient,
                              double pressure,
                              Model model);
 
-/// Viscosity over that at rest, of a liquid with this flow curve, from the gradient of its mixture
-/// eta_0 U [1]: the factor of its shear stress.
+/// Viscosity over the one at zero rate of shear, of a liquid with this flow curve, from the
+/// gradient of its mixture eta_0 U [1]: the factor of its shear stress.
 template <int dim>
 double thinning(const FlowCurve &curve,
                 const dealii::Tensor<2, dim> &mixture_gradient,

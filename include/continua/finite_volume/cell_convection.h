@@ -78,7 +78,7 @@ private:
     Stencil<double> difference;         ///< compact minus wide normal gradient of p; may be empty
     /// Local row of the balance of an open end with the total pressure, or none.
     unsigned int inflow_row = VolumeFace<dim>::none;
-    double weight = 0.; ///< of that balance [m^2]
+    double weight = 0.; ///< of the balance in `inflow_row` [m^2]
   };
   /// The state on a face.
   struct Flow

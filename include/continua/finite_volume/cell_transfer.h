@@ -53,8 +53,8 @@ private:
   {
     double value = 0.;
     dealii::Tensor<1, dim> gradient;
-    std::array<double, n_faces> on_faces{}; ///< of those with their own value
-    /// With which those change along themselves: of the cell, or of the solid beside it.
+    std::array<double, n_faces> on_faces{}; ///< values of faces that have one of their own
+    /// The gradients along these faces: of the cell, or of the solid beside it.
     std::array<dealii::Tensor<1, dim>, n_faces> face_gradients;
   };
   /// What is known of one cell, or of one that is put together of several.

@@ -7,8 +7,8 @@
 
 namespace Continua
 {
-/// Refuses what of the problem the cell-wise discretisation cannot take, with the entry that asks
-/// for it and the remedy. `problem` has no outlets yet, its conditions tell of them. `steady`:
+/// Refuses what no rule between features covers (see Rule): entries and boundaries that the
+/// cell-wise discretisation cannot take as they are. `problem` has no outlets yet. `steady`:
 /// whether there are no steps in time, but a state at rest or modes. Throws InputError.
 void check_cell_wise(const Problem &problem,
                      const CellWiseParameters &parameters,

@@ -31,7 +31,7 @@ enum class CellWiseSolution
 /// The stencil of the stress accumulated so far.
 enum class AccumulatedTerm
 {
-  consistent,  ///< that of the new velocity
+  consistent,  ///< the stencil of the new velocity
   inconsistent ///< the wide one
 };
 
@@ -54,7 +54,7 @@ enum class RhieChowInTime
 enum class ConvectiveInterpolation
 {
   central, ///< between the two cells
-  upwind,  ///< that of the cell that the flux comes from
+  upwind,  ///< the velocity of the cell that the flux comes from
   blended  ///< of both
 };
 

@@ -109,7 +109,7 @@ private:
   dealii::AffineConstraints<double> hanging;
   VertexExtension<dim> extension;
   std::vector<Part> parts_of_solids;
-  std::array<DistributedVector, n_ranks> counts; ///< of those parts, at their entries
+  std::array<DistributedVector, n_ranks> counts; ///< of the parts of solids, at their entries
   std::vector<bool> is_of_solid, is_held;        ///< owned entries of solids, and those that are 0
   std::vector<Follower> followers;
   DistributedVector next, present, older; ///< d [m]

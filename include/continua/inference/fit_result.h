@@ -76,7 +76,7 @@ struct FitResult
   unsigned int n_evaluations;
   unsigned int n_failures;         ///< evaluations that failed and whose step was refused
   std::vector<std::string> notes;  ///< what a reader must know: failures, noise, bounds
-  std::vector<std::string> doubts; ///< those of the notes by which the standard errors are wrong
+  std::vector<std::string> doubts; ///< the notes by which the standard errors are wrong
   std::vector<FlatDirection> flat_directions;
   std::vector<RecordFit> records;
   std::vector<FitStart> starts;

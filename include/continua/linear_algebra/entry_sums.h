@@ -47,7 +47,7 @@ public:
   const Triplets &matrix() const { return sums; }
   /// The places change: another mesh, other constraints.
   void forget();
-  /// Of what is kept [bytes].
+  /// Of the places that are kept [bytes].
   double memory() const;
 
 private:

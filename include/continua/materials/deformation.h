@@ -22,7 +22,7 @@ inline const Words<Deformation> &deformation_words()
 /// In which shape a body of finite deformation is free of stress.
 enum class UnloadedShape
 {
-  mesh,         ///< that of the mesh
+  mesh,         ///< the shape of the mesh
   inverse_solve ///< the one from which the loads of the start bring the body to that of the mesh
 };
 

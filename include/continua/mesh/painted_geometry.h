@@ -6,7 +6,7 @@
 namespace Continua
 {
 /**
- * Another geometry some of whose coarse cells belong to further regions: those where an expression
+ * Another geometry, in which coarse cells belong to further regions: cells where an expression
  * in x, y, z (metres; z = 0 in two dimensions) is positive at the cell's centre. The first
  * expression that is positive takes the cell; a name that the geometry has already means that
  * region. The boundaries stay as they are.

@@ -14,7 +14,7 @@ namespace Continua
 {
 class TimeTable;
 
-/// In the place of a time [s]: the mean over the period that was given to Waveform::set_period().
+/// Stands for a time [s] and asks for the mean over the period of Waveform::set_period().
 constexpr double mean_over_period = -std::numeric_limits<double>::infinity();
 
 /**
@@ -87,7 +87,7 @@ public:
   /// table that begins late, ends early or is repeated with a jump, without a word of the user
   /// about it.
   std::vector<Remark> table_remarks(double end_time) const;
-  /// Those of several waveforms, each once and with `owner` before it.
+  /// The remarks of several waveforms, each once and with `owner` before it.
   static std::vector<Remark> table_remarks(const std::vector<const Waveform *> &waveforms,
                                            const std::string &owner,
                                            double end_time);

@@ -2,7 +2,7 @@
 #define continua_studies_forward_model_h
 
 #include <continua/base/command_line.h>
-#include <continua/case/station_waves.h>
+#include <continua/case/theory/station_waves.h>
 
 #include <string>
 #include <utility>

@@ -18,7 +18,7 @@ namespace Continua
 // NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
 struct DesignChoice
 {
-  std::vector<unsigned int> records; ///< of those that are expected
+  std::vector<unsigned int> records; ///< numbers of expected records
   ExpectedErrors::Errors errors;
 };
 

@@ -13,7 +13,7 @@ struct SoughtEntry
   NumericEntry entry;
   FitParameter parameter; ///< called as the user calls it
 
-  /// The probe of whose measurements it is the shift in time; empty if it is none.
+  /// The probe whose measurements the number shifts in time; empty if it shifts none.
   std::string clock_of() const;
 };
 

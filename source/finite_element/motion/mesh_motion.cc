@@ -25,7 +25,7 @@ using namespace dealii;
 
 namespace
 {
-/// Of what the multigrid leaves of a right side. Changes belong to directions of a Krylov
+/// Tolerances of the residual over the right side. Changes belong to directions of a Krylov
 /// iteration, and are wanted to its tolerance.
 constexpr double tolerance_of_step = 1e-10, tolerance_from_rest = 1e-12,
                  largest_change_tolerance = 1e-2;
@@ -596,7 +596,7 @@ void MeshMotion<dim>::forget_solver()
     return;
   if (multigrid != nullptr)
     multigrid->forget();
-  // That of a mesh which keeps its operator is made again as at a start.
+  // The operator of a mesh that keeps it is made again as at a start.
   is_linearised = false;
   if (kind == MeshMotionKind::elastic)
     linearise();

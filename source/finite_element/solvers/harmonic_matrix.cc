@@ -28,7 +28,7 @@ void gather(std::vector<Number> &values, const MPI_Datatype type, const MPI_Comm
   values = std::move(all);
 }
 
-/// Those of all ranks on each rank.
+/// Gives each rank the triplets of all ranks.
 void gather(SymmetricTriplets &triplets, const MPI_Comm communicator)
 {
   gather(triplets.rows, MPI_INT, communicator);

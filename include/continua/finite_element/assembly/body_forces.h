@@ -43,7 +43,7 @@ private:
   dealii::FEValues<dim> places; ///< at rest
   Step step;
   const Cell *present = nullptr;
-  const dealii::Vector<double> *displacements = nullptr; ///< of that cell
+  const dealii::Vector<double> *displacements = nullptr; ///< of the cell `present`
 
   dealii::Point<dim> place(unsigned int q) const;
   /// rho b + f at a place [N/m^3].

@@ -91,7 +91,7 @@ public:
   /// This rank's part of what relaxation in a region turns into heat at the level that the last
   /// step has balanced [W].
   virtual double relaxation_power(unsigned int /*region*/) const { return 0.; }
-  /// Of what cancels in the rows that were added last.
+  /// The sizes of the parts that cancel in the rows that were added last.
   struct Sizes
   {
     double stress = 0.;   ///< [Pa]

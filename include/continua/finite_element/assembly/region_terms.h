@@ -78,7 +78,7 @@ private:
   const Problem &problem;
   NonlinearTerms<dim> terms;
 
-  /// Those of a region that is not linear.
+  /// The terms of a region that is not linear.
   NonlinearCellTerms<dim> &terms_of(unsigned int region) const;
 };
 } // namespace Continua

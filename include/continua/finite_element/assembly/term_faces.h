@@ -40,7 +40,7 @@ public:
 
   /// The mesh has changed; `cells`: those of the model.
   void reinit(const std::vector<Cell> &cells);
-  /// Those of a cell.
+  /// The faces of a cell.
   const std::vector<TermFace<dim>> &of(const Cell &cell) const
   {
     if (faces_of_cells.empty())

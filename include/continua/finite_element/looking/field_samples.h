@@ -157,7 +157,7 @@ private:
   velocity_gradient_at(const SamplePoint &point, const SampledState<dim> &state) const;
   /// v.n with the present normal of the point's share of an area.
   double velocity_through(const SamplePoint &point, const SampledState<dim> &state) const;
-  /// That of the deformed body.
+  /// The unit normal of the deformed body.
   dealii::Tensor<1, dim> normal_at(const SamplePoint &point, const SampledState<dim> &state) const;
   RestState rest_state(const SamplePoint &point, const SampledState<dim> &state) const;
   Kinematics kinematics_at(const SamplePoint &point, const SampledState<dim> &state) const;

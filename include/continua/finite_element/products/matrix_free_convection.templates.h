@@ -40,7 +40,7 @@ public:
                 const double *pressure) const override;
 
 private:
-  // Those of ConvectiveTerms.
+  // The same as in ConvectiveTerms.
   static constexpr int degree = 2, n_points = 4;
   static constexpr unsigned int of_velocity = 0, of_pressure = 1;
   using Lanes = dealii::VectorizedArray<double, width>;

@@ -92,7 +92,7 @@ public:
                                double stiffness) const = 0;
   virtual void
   find_diagonal(Vector &diagonal, unsigned int region, double mass, double stiffness) const = 0;
-  /// Of what it keeps [bytes].
+  /// Of all that the product keeps [bytes].
   virtual std::size_t memory() const = 0;
 };
 

@@ -19,7 +19,7 @@ bool GradDivPreconditioner<dim>::take(const std::vector<double> &viscosities,
                                       const StepPreconditioner<dim> &preconditioner)
 {
   const std::vector<double> &viscosity_of_regions = preconditioner.coefficients.stiffness;
-  double sums[] = {0., 0.}; // of what there is, with alpha, and of the change of gamma
+  double sums[] = {0., 0.}; // of the present viscosity with alpha, and of the change of gamma
   for (const auto &cell : space.pressure_dofs.active_cell_iterators())
     if (cell->is_locally_owned())
     {

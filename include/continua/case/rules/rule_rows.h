@@ -1,0 +1,18 @@
+#ifndef continua_case_rules_rule_rows_h
+#define continua_case_rules_rule_rows_h
+
+#include <continua/case/rules/rule.h>
+
+namespace Continua
+{
+// Parts of rules().
+
+/// Of the cell-wise discretisation.
+std::vector<Rule> rules_of_cells();
+/// Of a cell-wise mesh whose vertices move before each step.
+std::vector<Rule> rules_of_moving_cells();
+/// Of linear solvers and of how the mesh is divided.
+std::vector<Rule> rules_of_solvers();
+} // namespace Continua
+
+#endif

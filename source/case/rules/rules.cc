@@ -1,0 +1,405 @@
+#include <continua/case/rules/rule_rows.h>
+
+namespace Continua
+{
+namespace
+{
+using Names = std::vector<std::string>;
+
+/// What goes before others: finite and small deformation, and what belongs to one of them.
+std::vector<Rule> rules_of_deformation()
+{
+  return {
+      {{"cavity"},
+       {"small deformation"},
+       "the volume of a cavity is that of the deformed body",
+       "Set Deformation = finite, or give the boundary Type = pressure"},
+      {{"crank nicolson"},
+       {"cavity"},
+       "a volume that is held in the middle of each step lets the pressure of the cavity swing "
+       "from "
+       "step to step",
+       "Set Scheme = backward differencing or euler implicit"},
+      {{"free profile"},
+       {"mesh that stays", "cell-wise"},
+       "a free profile is that of a section which moves, and here the mesh stays",
+       "Choose another profile, or set Deformation = finite"},
+      {{"mesh that follows a boundary"},
+       {"steady", "modal", "harmonic", "resonances", "periodic response"},
+       "a mesh that follows a velocity is never at rest",
+       "Set Mesh = fixed, or make the run transient from rest or from a state that is given"},
+      {{"steady start"},
+       {"mesh that follows a boundary"},
+       "a mesh that follows a velocity is never at rest",
+       "Set Mesh = fixed, or make the run transient from rest or from a state that is given"},
+      {{"set Mesh motion", "set Boundaries/<name>/Mesh"},
+       {"mesh that stays"},
+       "with small deformation the mesh stays",
+       "Remove the entry, or set Deformation = finite for a mesh that moves"},
+      {{"set Mesh motion", "set Boundaries/<name>/Mesh"},
+       {"no liquid"},
+       "no region is a liquid, whose mesh would move",
+       "Remove the entry"},
+      {{"subsection Wall directions"},
+       {"small deformation"},
+       "fibres and prestretch are for finite deformation",
+       "Remove the section, or set Deformation = finite"},
+      {{"set Wave theory/Mean pressure"},
+       {"small deformation"},
+       "with small deformation a mean pressure does not change the waves",
+       "Leave the entry out, or set Deformation = finite"},
+      {{"unloaded shape"},
+       {"small deformation"},
+       "with small deformation the shape of the mesh is also the one without load",
+       "Set Unloaded shape = mesh, or Deformation = finite"},
+      {{"set Wave theory/Mean pressure"},
+       {"finite deformation"},
+       "a run has the pressures that act on the body",
+       "Leave the entry out, or set Analysis = linear wave theory"},
+      {{"finite deformation"}, {"modal"}, "vibrations are linear", "Set Deformation = small"},
+      {{"finite deformation"},
+       {"harmonic", "resonances", "periodic response"},
+       "motion in the frequency domain is linear",
+       "Set Deformation = small, or use Analysis = transient"},
+      {{"finite deformation"},
+       {"plane stress"},
+       "plane stress with finite deformation would need the strain across the plane as an unknown",
+       "Set Model = plane strain or three-dimensional, or Deformation = small"},
+      {{"finite deformation"},
+       {"no solid, and no boundary that moves"},
+       "no region is a solid, and the mesh of the liquids follows no boundary",
+       "Set Deformation = small, or Mesh = follows for a boundary that moves"},
+      {{"finite deformation of a solid"},
+       {"cell-wise"},
+       "the solids of the cell-wise path are for small deformation, beside which the mesh of the "
+       "liquids may move",
+       "Set Discretisation = taylor hood, or Deformation = small, with Mesh motion = elastic for a "
+       "mesh that moves"},
+      {{"steady start"},
+       {"unloaded shape"},
+       "after the inverse solve for the unloaded shape the run starts in the shape of the mesh, at "
+       "rest under the loads at t = 0",
+       "Remove the entry, or set Unloaded shape = mesh"},
+      {{"set Initial state/Velocity", "set Initial state/Displacement",
+        "set Initial state/Pressure", "subsection Initial state/Pressures"},
+       {"unloaded shape"},
+       "the inverse solve for the unloaded shape finds the state at t = 0 from the loads",
+       "Remove it, or set Unloaded shape = mesh"},
+      {{"weight"},
+       {"unloaded shape"},
+       "with an unloaded shape that is not the mesh's the mass at a place of the mesh is not its "
+       "volume times the density, which the weight would need",
+       "Give the weight as a Force density, or set Unloaded shape = mesh"},
+      {{"cavity"},
+       {"unloaded shape"},
+       "the inverse solve for the unloaded shape needs the pressure of the loaded one, and a "
+       "cavity "
+       "has its volume given",
+       "Give the boundary Type = pressure, or set Unloaded shape = mesh"},
+      {{"subsection Wall directions"},
+       {"no direction in any material"},
+       "no material has fibres or a prestretch, which alone have directions",
+       "Remove the section, or give a material a Strain law with fibres"},
+      {{"volume that relaxes"},
+       {"finite deformation"},
+       "in finite deformation the volume change does not relax",
+       "Set Volumetric relaxation = none, or Deformation = small"},
+      {{"start from the shape of the mesh"},
+       {"prestretch"},
+       "with a prestretch the shape of the mesh is not in balance, and the run would start with a "
+       "jump",
+       "Set Type = steady: the run then starts from the state at rest under its loads"},
+      {{"weight"},
+       {"prestretch"},
+       "with a prestretch the mass at a place of the mesh is not its volume times the density, "
+       "which "
+       "the weight would need",
+       "Give the weight as a Force density, or remove the prestretch"},
+      {{"solid without a spring that holds"},
+       {"finite deformation"},
+       "the material has no spring that holds: such a body flows until its mesh is turned inside "
+       "out",
+       "Take Type = prony with a small Young's modulus, or set Deformation = small"},
+      {{"trapezoidal update"},
+       {"finite deformation"},
+       "finite deformation needs displacement and pressure at the level at which the step "
+       "balances, "
+       "which the trapezoidal update does not have",
+       "Set Update = implicit"},
+      {{"subsection Exact solution"},
+       {"cell-wise mesh that moves"},
+       "the error is an integral over the mesh at rest, and the mesh moves",
+       "Remove the section, and compare probes"},
+      {{"set Exact solution/Stress"},
+       {"finite deformation"},
+       "the error of the stress is that of a small deformation",
+       "Compare the displacement or the pressure"}};
+}
+
+/// Analyses of bodies that do not move in time, or move for ever. The readers of the sections
+/// Modal, Boundaries and Materials refuse some of it themselves, with the same sentence.
+std::vector<Rule> rules_of_analyses()
+{
+  const Names frequency_domain = {"harmonic", "resonances", "periodic response"};
+  return {
+      {{"set Steady/Time of loads"},
+       {"transient"},
+       "a run in time starts under the loads at t = 0",
+       "Remove the entry, or set Analysis = steady"},
+      {{"power law", "solid without a spring that holds"},
+       {"steady", "steady start", "unloaded shape"},
+       "the stress of this solid relaxes to zero, so that it has no state at rest",
+       "Use a law with a long-term modulus, or Initial state/Type = given and Unloaded shape = "
+       "mesh "
+       "in a run in time"},
+      {{"liquid"},
+       {"modal"},
+       "a modal analysis is of solids, which a fluid is not",
+       "Use Analysis = transient"},
+      {{"solid that relaxes"},
+       {"modal"},
+       "this solid relaxes, so that its stiffness depends on the frequency and its vibrations die "
+       "away",
+       "Use hookean with the modulus at the frequency in question, or Analysis = transient"},
+      {{"absorbing end"},
+       {"modal"},
+       "an end that takes waves up has no vibrations that last",
+       "Use 'free', 'roller' or 'fixed', or Analysis = transient"},
+      {{"highest modes"},
+       {"taylor hood"},
+       "the highest modes of the finite elements are not sought: with an incompressible material "
+       "they have no bound",
+       "Set Discretisation = cell-wise, or Which = lowest"},
+      {{"iterative solver"},
+       {"modal"},
+       "vibrations have an indefinite matrix, which is solved directly",
+       "Use automatic or direct"},
+      {{"set Linear solver/Factor precision"},
+       {"modal"},
+       "the factor of vibrations has double precision",
+       "Remove it"},
+      {{"umfpack"},
+       {"modal"},
+       "umfpack does not tell the signs of its pivots, by which modes are counted",
+       "Use automatic or mumps"},
+      {{"cholmod"},
+       {"shift of modes"},
+       "cholmod does not pivot, which a shift needs",
+       "Use automatic or mumps"},
+      {{"shift of modes"},
+       {"highest modes"},
+       "the highest modes are sought without a shift",
+       "Remove the entry"},
+      {{"absorbing end"},
+       {"steady"},
+       "there is no wave in a state at rest that could leave",
+       "Use 'pressure' or 'resistance', or Analysis = transient"},
+      {{"absorbing end"},
+       {"resonances"},
+       "the tube behind an absorbing end has no waves that die away in time, as a free motion does",
+       "Use 'free', 'fixed', 'resistance' or 'windkessel'"},
+      {{"absorbing end"},
+       {"periodic response"},
+       "the mean of a periodic state is no wave that leaves an absorbing end",
+       "Use 'resistance' or 'windkessel', or Analysis = transient"},
+      {{"adaptive steps"},
+       {"periodic response"},
+       "with an adaptive time step the beats do not have the same times, at which Periodic state "
+       "compares them",
+       "Set Time step control = fixed"},
+      {{"womersley profile"},
+       {"steady"},
+       "a steady flow has no womersley profile",
+       "Use 'parabolic', which is what that becomes"},
+      {{"womersley profile of a liquid that was at rest"},
+       {"steady start", "unloaded shape"},
+       "the liquid of this profile is at rest before t = 0, and the flow steady",
+       "Set Flow before the start = steady or periodic, or let the run start from rest"},
+      {{"womersley profile"},
+       {"flow curve"},
+       "a womersley profile is for one viscous liquid of constant viscosity",
+       "Use 'flat' or 'parabolic', or name the liquid's 'Region'"},
+      {{"material that is no Hookean solid"},
+       {"plane stress"},
+       "plane stress is for Hookean solids only: with viscosity or relaxation the strain across "
+       "the "
+       "plane depends on history",
+       "Use 'hookean' here, or Model = plane strain or three-dimensional"},
+      {{"cell-wise"},
+       frequency_domain,
+       "the frequency domain needs the symmetric matrices of the finite elements, which the "
+       "cell-wise path has not",
+       "Set Discretisation = taylor hood, or use Analysis = transient"},
+      {{"convection"},
+       frequency_domain,
+       "motion in the frequency domain is linear, and about a liquid at rest: a stream would make "
+       "its matrix unsymmetric",
+       "Set Convection = none, or use Analysis = transient"},
+      {{"outlet that holds the flow rate"},
+       frequency_domain,
+       "in the frequency domain the distribution of the velocity over an outlet is free",
+       "Set Coupling = pressure, or use Analysis = transient"},
+      {{"womersley profile"},
+       frequency_domain,
+       "a womersley profile is that of a flow in time; the frequency domain has none so far",
+       "Use 'flat', 'parabolic' or 'table', leave it out with Coupling = pressure, or use Analysis "
+       "= "
+       "transient"},
+      {{"set Initial state/Velocity", "set Initial state/Displacement",
+        "set Initial state/Pressure"},
+       frequency_domain,
+       "a motion that goes on for ever has no initial state",
+       "Remove the entry, or use Analysis = transient"},
+      {{"set Initial state/Type"},
+       {"harmonic", "resonances"},
+       "a motion that goes on for ever has no initial state",
+       "Remove the entry, or use Analysis = transient"},
+      {{"iterative solver"},
+       frequency_domain,
+       "the frequency domain has an indefinite complex matrix, which is solved directly",
+       "Use automatic or direct"},
+      {{"set Linear solver/Factor precision"},
+       frequency_domain,
+       "the complex factor has double precision",
+       "Remove it"},
+      {{"cholmod", "umfpack"},
+       frequency_domain,
+       "the complex factor is that of MUMPS",
+       "Use automatic or mumps"},
+      {{"checkpoints", "checkpoint at the end"},
+       {"analysis without checkpoints"},
+       "this analysis has no checkpoints",
+       "Remove the entry"},
+      {{"set Boundaries/<name>/Initial pressure"},
+       {"no unloaded shape in a steady flow"},
+       "a steady flow has no start, and gives the windkessel the charge that it has itself",
+       "Remove the entry, or set Analysis = transient"},
+      {{"averages of wall shear stress"},
+       {"steady", "modal", "harmonic", "resonances", "periodic response"},
+       "a state without time has no averages",
+       "Leave them out, or set Analysis = transient"}};
+}
+
+std::vector<Rule> rules_of_convection()
+{
+  const std::string or_convection = "Remove it, or set Convection = navier stokes";
+  return {
+      {{"load steps"},
+       {"linear equations"},
+       "without convection and finite deformation the equations are linear: one solve has all "
+       "loads",
+       "Remove it, or set Convection = navier stokes or Deformation = finite"},
+      {{"subsection Flow"},
+       {"no convection"},
+       "without convection nothing uses the section",
+       or_convection},
+      {{"subsection Newton"},
+       {"linear equations"},
+       "without convection nothing uses the section",
+       or_convection + ", or Deformation = finite"},
+      {{"flow curve"},
+       {"no convection"},
+       "a viscosity that depends on the rate of shear is not linear, and belongs to Newton's "
+       "iteration",
+       "Set Convection = navier stokes, or Type = newtonian"},
+      {{"set Materials/<region>/Volume exponent", "set Materials/<region>/Reference pressure"},
+       {"no convection"},
+       "without convection the equation of state is linear",
+       or_convection},
+      {{"set Boundaries/<name>/Inflow pressure"},
+       {"no convection"},
+       "without convection both pressures are the same",
+       or_convection},
+      {{"convection"},
+       {"plane stress"},
+       "plane stress is for solids, which are not convected",
+       "Set Convection = none, or another Model"},
+      {{"convection"}, {"modal"}, "vibrations are linear", "Set Convection = none"},
+      {{"maxwell liquid"},
+       {"convection"},
+       "a Maxwell liquid counts as a solid, whose motion is small: it would not be convected",
+       "Use 'newtonian', or set Convection = none"},
+      {{"convection"},
+       {"no liquid"},
+       "no region is a fluid, and solids are not convected",
+       "Set Convection = none"},
+      {{"trapezoidal update"},
+       {"convection"},
+       "convection needs the rate of the pressure at the end of the step, which the trapezoidal "
+       "update does not have",
+       "Set Update = implicit"},
+      {{"outlet that holds the flow rate"},
+       {"convection on a mesh that stays"},
+       "an outlet that holds the flow rate does not work with convection",
+       "Set Coupling = pressure, or Convection = none"},
+      {{"supg"},
+       {"flow curve"},
+       "supg needs the residual inside a cell, which it does not have for a viscosity that follows "
+       "the rate of shear",
+       "Set Convection stabilisation = grad-div, or Type = newtonian"}};
+}
+
+/// One matrix serves all steps of explicit convection, so that nothing else may be nonlinear.
+std::vector<Rule> rules_of_explicit_convection()
+{
+  const std::string newton = "set Time treatment = newton";
+  return {
+      {{"explicit convection"},
+       {"cell-wise"},
+       "the cell-wise path has Newton's iteration alone",
+       "Set Time treatment = newton, or Discretisation = taylor hood"},
+      {{"explicit convection"},
+       {"steady"},
+       "explicit convection is that of time steps, which this analysis does not make",
+       "Remove the entry"},
+      {{"explicit convection"},
+       {"finite deformation of a solid", "mesh that moves"},
+       "explicit convection keeps one matrix, which a mesh that moves and a solid in finite "
+       "deformation change",
+       "Set Deformation = small, or " + newton},
+      {{"explicit convection"},
+       {"supg"},
+       "explicit convection keeps one matrix, which supg changes with the flow",
+       "Set Convection stabilisation = grad-div with a Stabilisation viscosity, or " + newton},
+      {{"explicit convection"},
+       {"grad-div by the local speed"},
+       "explicit convection keeps one matrix, which grad-div by the local speed changes with the "
+       "flow",
+       "Set Stabilisation viscosity, such as 0.15 times density, speed and size of the cells, or "
+       "Convection stabilisation = none"},
+      {{"explicit convection"},
+       {"flow curve"},
+       "explicit convection keeps one matrix, which a viscosity that depends on the rate of shear "
+       "changes",
+       "Set Type = newtonian, or " + newton},
+      {{"explicit convection"},
+       {"compressible liquid"},
+       "explicit convection is there for incompressible liquids, whose density stays",
+       "Set Incompressible = true, or " + newton},
+      {{"set Newton/Slowest rate", "set Newton/Slow iteration", "set Newton/Tangent products",
+        "set Newton/Most Krylov iterations"},
+       {"explicit convection in all steps"},
+       "with Flow/Time treatment = explicit a step is linear",
+       "Remove it, or " + newton},
+      {{"set Newton/Krylov tolerance"},
+       {"explicit convection with a factor"},
+       "with Flow/Time treatment = explicit a step is linear",
+       "Remove it, or " + newton}};
+}
+} // namespace
+
+const std::vector<Rule> &rules()
+{
+  static const std::vector<Rule> all = []
+  {
+    std::vector<Rule> list;
+    for (const std::vector<Rule> &part :
+         {rules_of_deformation(), rules_of_analyses(), rules_of_convection(),
+          rules_of_explicit_convection(), rules_of_cells(), rules_of_moving_cells(),
+          rules_of_solvers()})
+      list.insert(list.end(), part.begin(), part.end());
+    return list;
+  }();
+  return all;
+}
+} // namespace Continua
