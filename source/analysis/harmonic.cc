@@ -5,7 +5,6 @@
 #include <continua/analysis/wave_number_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
-#include <continua/base/table_writer.h>
 #include <continua/continuum/field_list.h>
 #include <continua/linear_algebra/singular_matrix.h>
 
@@ -215,10 +214,7 @@ void Harmonic<dim>::record(const std::size_t number, const HarmonicSolution &sol
   const std::vector<double> &wanted = harmonic.field_frequencies;
   if (std::find(wanted.begin(), wanted.end(), frequency) == wanted.end())
     return;
-  // The real part is what the solver shows.
-  writer->write(*run.solver, number + 1.);
-  system->show(solution, {0., -1.});
-  writer->write(*run.solver, number + 1.5);
+  this->write_fields(solution, number + 1.);
 }
 
 template <int dim>
@@ -303,11 +299,8 @@ void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) co
   const HarmonicParameters &harmonic = run.input.harmonic;
   if (!run.is_writer || run.input.probes.n_columns() == 0)
     return;
-  std::vector<std::string> header = {"frequency [Hz]"};
-  for (const std::string &name : run.input.probes.column_names())
-    for (const char *const part : {"real ", "imaginary "})
-      header.push_back(part + name);
-  TableWriter table(run.directory.file("interpolated-response.csv"), header);
+  const std::unique_ptr<TableWriter> table =
+      this->complex_table("interpolated-response.csv", {"frequency [Hz]"});
   constexpr unsigned int n_rows = 401;
   for (unsigned int i = 0; i < n_rows; ++i)
   {
@@ -316,17 +309,13 @@ void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) co
         harmonic.is_logarithmic
             ? harmonic.lowest * std::pow(harmonic.highest / harmonic.lowest, part)
             : harmonic.lowest + part * (harmonic.highest - harmonic.lowest);
-    std::vector<double> row = {frequency};
+    std::vector<Complex> values;
     for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
-    {
-      const Complex value =
-          refinement.approximation().value(column, {0., 2. * numbers::PI * frequency});
-      row.push_back(value.real());
-      row.push_back(value.imag());
-    }
-    table.row(row);
+      values.push_back(
+          refinement.approximation().value(column, {0., 2. * numbers::PI * frequency}));
+    this->add_row(table, {frequency}, values);
   }
-  table.flush();
+  table->flush();
 }
 
 template <int dim>
@@ -338,15 +327,10 @@ std::string Harmonic<dim>::rows_kept() const
 template <int dim>
 void Harmonic<dim>::perform()
 {
-  run.initialise();
-  Case<dim> &input = run.input;
-  system = harmonic_system_of(run);
+  this->start();
+  const Case<dim> &input = run.input;
   take_loads();
   tables = std::make_unique<HarmonicTables<dim>>(run, *system, loads);
-  writer = std::make_unique<FieldWriter<dim>>(
-      input.communicator, run.directory.path(),
-      input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
-      input.output.higher_order_cells, input.output.files_per_state);
   try
   {
     SectionTimer::Scope scope(run.log.timer(), "frequencies");
@@ -380,8 +364,7 @@ void Harmonic<dim>::perform()
   }
   tables->finish();
   WaveNumberTable<dim>(run, tables->recorded()).write();
-  if (!input.harmonic.field_frequencies.empty())
-    writer->finish(run.summary);
+  this->finish_fields();
   std::ostringstream text;
   text << input.harmonic.frequencies.size()
        << (input.harmonic.frequencies.size() == 1 ? " frequency" : " frequencies") << " of "
@@ -391,8 +374,7 @@ void Harmonic<dim>::perform()
   run.summary.set("frequencies", static_cast<double>(input.harmonic.frequencies.size()));
   run.summary.set("memory of the factors [bytes]", system->factor_memory());
   run.summary.add({"largest residual", system->largest_residual(), "1", ""});
-  run.citations.add("mumps");
-  run.finish(0, 0.);
+  this->finish(0.);
 }
 
 template class Harmonic<2>;

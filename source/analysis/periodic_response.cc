@@ -329,32 +329,25 @@ void PeriodicResponse<dim>::write_history(const PeriodicSeries &series)
 template <int dim>
 void PeriodicResponse<dim>::write_harmonics(const PeriodicSeries &series)
 {
-  if (!run.is_writer)
+  const std::unique_ptr<TableWriter> table =
+      this->complex_table("harmonics.csv", {"harmonic [1]", "frequency [Hz]"});
+  if (!table)
     return;
-  std::vector<std::string> header = {"harmonic [1]", "frequency [Hz]"};
-  for (const std::string &name : run.input.probes.column_names())
-    for (const char *const part : {"real ", "imaginary "})
-      header.push_back(part + name);
-  TableWriter table(run.directory.file("harmonics.csv"), header);
   for (unsigned int harmonic = 0; harmonic <= series.n_harmonics(); ++harmonic)
   {
-    std::vector<double> row = {static_cast<double>(harmonic), harmonic / series.period()};
+    std::vector<Complex> values;
     for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
-    {
-      row.push_back(series.amplitude(column, harmonic).real());
-      row.push_back(series.amplitude(column, harmonic).imag());
-    }
-    table.row(row);
+      values.push_back(series.amplitude(column, harmonic));
+    this->add_row(table, {static_cast<double>(harmonic), harmonic / series.period()}, values);
   }
-  table.flush();
+  table->flush();
 }
 
 template <int dim>
 void PeriodicResponse<dim>::perform()
 {
-  run.initialise();
+  this->start();
   Case<dim> &input = run.input;
-  system = harmonic_system_of(run);
   {
     SectionTimer::Scope scope(run.log.timer(), "loads");
     take_loads();
@@ -411,8 +404,7 @@ void PeriodicResponse<dim>::perform()
   run.summary.add({"harmonics", static_cast<double>(series->n_harmonics()), "1", ""});
   run.summary.add({"largest change by further harmonics", largest_change, "1", ""});
   run.summary.add({"largest difference of the means", difference_of_means, "1", ""});
-  run.citations.add("mumps");
-  run.finish(0, input.periodic_state.period);
+  this->finish(input.periodic_state.period);
 }
 
 template class PeriodicResponse<2>;

@@ -5,11 +5,9 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
-#include <continua/base/table_writer.h>
 #include <continua/base/undefined.h>
 #include <continua/frequency/winding_number.h>
 #include <continua/linear_algebra/singular_matrix.h>
-#include <continua/postprocess/field_writer.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -102,9 +100,8 @@ void Resonances<dim>::name_quantities(const Case<dim> &, QuantityNames &names)
 template <int dim>
 void Resonances<dim>::perform()
 {
-  run.initialise();
+  this->start();
   Case<dim> &input = run.input;
-  system = harmonic_system_of(run);
   ResonanceSearch<dim> search(*system, input.resonances, unit_loads_of(input.problem, *system),
                               input.communicator, run.log);
   std::vector<Resonance> found;
@@ -126,28 +123,18 @@ void Resonances<dim>::perform()
     count(found);
   run.summary.set("frequencies", static_cast<double>(search.n_frequencies()));
   run.summary.set("candidates", static_cast<double>(search.n_candidates()));
-  run.citations.add("mumps");
   run.citations.add("aaa");
-  run.finish(0, 0.);
+  this->finish(0.);
 }
 
 template <int dim>
 void Resonances<dim>::write(std::vector<Resonance> &found)
 {
   Case<dim> &input = run.input;
-  std::vector<std::string> header = {
-      "resonance [1]",     "frequency [Hz]",     "natural frequency [Hz]",
-      "damping ratio [1]", "quality factor [1]", "Re s [1/s]",
-      "Im s [1/s]",        "residual [1]"};
-  for (const std::string &name : input.probes.column_names())
-    for (const char *const part : {"real ", "imaginary "})
-      header.push_back(part + name);
-  std::unique_ptr<TableWriter> table;
-  if (run.is_writer)
-    table = std::make_unique<TableWriter>(run.directory.file("resonances.csv"), header);
-  FieldWriter<dim> writer(input.communicator, run.directory.path(),
-                          input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
-                          input.output.higher_order_cells, input.output.files_per_state);
+  const std::unique_ptr<TableWriter> table = this->complex_table(
+      "resonances.csv",
+      {"resonance [1]", "frequency [Hz]", "natural frequency [Hz]", "damping ratio [1]",
+       "quality factor [1]", "Re s [1/s]", "Im s [1/s]", "residual [1]"});
   double largest_residual = 0.;
   std::vector<std::string> texts;
   for (std::size_t k = 0; k < found.size(); ++k)
@@ -156,27 +143,13 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
     normalise(resonance.shape, input.communicator);
     largest_residual = std::max(largest_residual, resonance.residual);
     const bool is_damped = std::abs(resonance.damping_ratio()) > least_damping_ratio;
-    std::vector<double> row = {k + 1.,
-                               resonance.frequency(),
-                               resonance.natural_frequency(),
-                               resonance.damping_ratio(),
-                               is_damped ? resonance.quality_factor() : undefined,
-                               resonance.s.real(),
-                               resonance.s.imag(),
-                               resonance.residual};
-    for (const Complex &value : probe_values(*system, input.probes, resonance.shape))
-    {
-      row.push_back(value.real());
-      row.push_back(value.imag());
-    }
-    if (table)
-      table->row(row);
+    this->add_row(table,
+                  {k + 1., resonance.frequency(), resonance.natural_frequency(),
+                   resonance.damping_ratio(), is_damped ? resonance.quality_factor() : undefined,
+                   resonance.s.real(), resonance.s.imag(), resonance.residual},
+                  probe_values(*system, input.probes, resonance.shape));
     if (input.output.final_fields)
-      for (const bool is_imaginary : {false, true})
-      {
-        system->show(resonance.shape, is_imaginary ? Complex(0., -1.) : Complex(1.));
-        writer.write(*run.solver, k + (is_imaginary ? 1.5 : 1.));
-      }
+      this->write_fields(resonance.shape, k + 1.);
     std::ostringstream text;
     text.precision(5);
     text << "Resonance " << k + 1 << ": " << resonance.frequency() << " Hz, ";
@@ -200,8 +173,7 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
   }
   if (table)
     table->flush();
-  if (input.output.final_fields)
-    writer.finish(run.summary);
+  this->finish_fields();
   run.summary.set("resonances", texts);
   run.summary.add({"resonances", static_cast<double>(found.size()), "1", ""});
   run.summary.add({"largest residual", largest_residual, "1", ""});

@@ -1,13 +1,12 @@
 #ifndef continua_analysis_harmonic_h
 #define continua_analysis_harmonic_h
 
+#include <continua/analysis/frequency_analysis.h>
 #include <continua/analysis/harmonic_tables.h>
 #include <continua/analysis/run.h>
 #include <continua/continuum/harmonic_system.h>
 #include <continua/frequency/frequency_refinement.h>
-#include <continua/postprocess/field_writer.h>
 
-#include <complex>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,12 +21,10 @@ namespace Continua
  * imaginary parts half a number behind.
  */
 template <int dim>
-class Harmonic
+class Harmonic : private FrequencyAnalysis<dim>
 {
 public:
-  using Complex = std::complex<double>;
-
-  explicit Harmonic(Run<dim> &run) : run(run) {}
+  explicit Harmonic(Run<dim> &run) : FrequencyAnalysis<dim>(run) {}
   void perform();
 
   /// Only what is linear, with loads that are amplitudes. Throws InputError.
@@ -35,12 +32,12 @@ public:
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
-  Run<dim> &run;
-  std::unique_ptr<HarmonicSystem<dim>> system;
+  using typename FrequencyAnalysis<dim>::Complex;
+  using FrequencyAnalysis<dim>::run;
+  using FrequencyAnalysis<dim>::system;
   std::vector<NamedLoad> loads; ///< with their phases
   HarmonicLoad total;
   std::unique_ptr<HarmonicTables<dim>> tables;
-  std::unique_ptr<FieldWriter<dim>> writer;
 
   void take_loads();
   /// At given frequencies, one after the other.

@@ -1,11 +1,11 @@
 #ifndef continua_analysis_periodic_response_h
 #define continua_analysis_periodic_response_h
 
+#include <continua/analysis/frequency_analysis.h>
 #include <continua/analysis/load_samples.h>
 #include <continua/analysis/run.h>
 #include <continua/frequency/periodic_series.h>
 
-#include <complex>
 #include <memory>
 #include <vector>
 
@@ -18,12 +18,10 @@ namespace Continua
  * a run in time over one period, beats.csv its row of a settled beat, harmonics.csv the amplitudes.
  */
 template <int dim>
-class PeriodicResponse
+class PeriodicResponse : private FrequencyAnalysis<dim>
 {
 public:
-  using Complex = std::complex<double>;
-
-  explicit PeriodicResponse(Run<dim> &run) : run(run) {}
+  explicit PeriodicResponse(Run<dim> &run) : FrequencyAnalysis<dim>(run) {}
   void perform();
 
   /// What is linear, under loads that repeat themselves. Throws InputError.
@@ -31,8 +29,9 @@ public:
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
-  Run<dim> &run;
-  std::unique_ptr<HarmonicSystem<dim>> system;
+  using typename FrequencyAnalysis<dim>::Complex;
+  using FrequencyAnalysis<dim>::run;
+  using FrequencyAnalysis<dim>::system;
   std::unique_ptr<LoadSamples<dim>> loads;
   std::vector<std::vector<Complex>> spectra; ///< by shape of the loads, by harmonic
   std::vector<double>

@@ -1,11 +1,10 @@
 #ifndef continua_analysis_resonances_h
 #define continua_analysis_resonances_h
 
+#include <continua/analysis/frequency_analysis.h>
 #include <continua/analysis/resonance_search.h>
 #include <continua/analysis/run.h>
 
-#include <complex>
-#include <memory>
 #include <vector>
 
 namespace Continua
@@ -17,10 +16,10 @@ namespace Continua
  * under the resonances' numbers, and the imaginary parts half a number behind.
  */
 template <int dim>
-class Resonances
+class Resonances : private FrequencyAnalysis<dim>
 {
 public:
-  explicit Resonances(Run<dim> &run) : run(run) {}
+  explicit Resonances(Run<dim> &run) : FrequencyAnalysis<dim>(run) {}
   void perform();
 
   /// What is linear. Throws InputError.
@@ -28,8 +27,8 @@ public:
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
-  Run<dim> &run;
-  std::unique_ptr<HarmonicSystem<dim>> system;
+  using FrequencyAnalysis<dim>::run;
+  using FrequencyAnalysis<dim>::system;
 
   void write(std::vector<Resonance> &found);
   /// The number by the winding of the determinant, and a warning where it is another one.
