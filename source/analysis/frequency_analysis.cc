@@ -41,7 +41,7 @@ void FrequencyAnalysis<dim>::add_row(const std::unique_ptr<TableWriter> &table,
 }
 
 template <int dim>
-void FrequencyAnalysis<dim>::write_fields(const HarmonicSolution &solution, const double number)
+void FrequencyAnalysis<dim>::write_state(const double number)
 {
   const OutputParameters &output = run.input.output;
   if (!writer)
@@ -49,10 +49,16 @@ void FrequencyAnalysis<dim>::write_fields(const HarmonicSolution &solution, cons
         run.input.communicator, run.directory.path(),
         output.subdivisions_for(run.input.discretisation.velocities_per_cell()),
         output.higher_order_cells, output.files_per_state);
-  system->show(solution, 1.);
   writer->write(*run.solver, number);
+}
+
+template <int dim>
+void FrequencyAnalysis<dim>::write_fields(const HarmonicSolution &solution, const double number)
+{
+  system->show(solution, 1.);
+  write_state(number);
   system->show(solution, {0., -1.});
-  writer->write(*run.solver, number + 0.5);
+  write_state(number + 0.5);
 }
 
 template <int dim>

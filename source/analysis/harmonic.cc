@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace Continua
@@ -86,23 +85,6 @@ void check_unit_load(const Case<dim> &input, ParameterSection root)
                     "Leave the entry out, and give that boundary the velocity or flow rate 1");
 }
 
-/// Refuses what belongs to a state that is not there.
-void check_states(const Problem &problem, ParameterSection root)
-{
-  for (const BoundaryCondition &condition : problem.conditions)
-  {
-    ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
-    if (condition.absorbing.has_mean_pressure)
-      section.refuse("Mean pressure",
-                     "a harmonic analysis has oscillations alone, and this is a state about which "
-                     "they go",
-                     std::string("Remove the entry, or ") + another_way);
-    if (condition.outlet && !condition.outlet->initial_states.empty())
-      section.refuse("Initial pressure", "a motion that goes on for ever has no initial state",
-                     std::string("Remove the entry, or ") + another_way);
-  }
-}
-
 /// Refuses a Phase of nothing.
 template <int dim>
 void check_phases(const Case<dim> &input, ParameterSection root, const bool has_body_force)
@@ -128,7 +110,7 @@ void check_phases(const Case<dim> &input, ParameterSection root, const bool has_
 template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_states(input.problem, root);
+  check_no_states(input.problem, root, another_way);
   check_harmonic_body(input, root, another_way);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;
@@ -239,62 +221,87 @@ void Harmonic<dim>::solve_range()
 }
 
 template <int dim>
-void Harmonic<dim>::solve_refined_range()
+std::vector<std::vector<std::complex<double>>>
+Harmonic<dim>::solve_further(const std::vector<double> &frequencies)
 {
-  HarmonicParameters &harmonic = run.input.harmonic;
-  std::map<double, HarmonicSolution> known;
-  const auto solve = [&](const std::vector<double> &frequencies)
-  {
-    std::vector<Complex> points;
-    points.reserve(frequencies.size());
-    for (const double frequency : frequencies)
-      points.emplace_back(0., 2. * numbers::PI * frequency);
-    std::vector<std::vector<Complex>> values;
-    system->solve_at(
-        points, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
-        [&](const std::size_t number, const std::vector<HarmonicLoad> &,
-            const std::vector<HarmonicSolution> &solutions)
-        {
-          known[frequencies[number]] = solutions[0];
-          values.push_back(probe_values(*system, run.input.probes, solutions[0]));
-        });
-    SignalWatch::stop_if_asked(run.input.communicator,
-                               "after " + std::to_string(known.size()) +
-                                   " frequencies; a harmonic analysis begins anew, with "
-                                   "--overwrite");
-    return values;
-  };
+  std::vector<Complex> points;
+  points.reserve(frequencies.size());
+  for (const double frequency : frequencies)
+    points.emplace_back(0., 2. * numbers::PI * frequency);
+  std::vector<std::vector<Complex>> values;
+  system->solve_at(
+      points, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
+      [&](const std::size_t number, const std::vector<HarmonicLoad> &,
+          const std::vector<HarmonicSolution> &solutions)
+      {
+        known[frequencies[number]] = solutions[0];
+        values.push_back(probe_values(*system, run.input.probes, solutions[0]));
+      });
+  SignalWatch::stop_if_asked(run.input.communicator,
+                             "after " + std::to_string(known.size()) +
+                                 " frequencies; a harmonic analysis begins anew, with "
+                                 "--overwrite");
+  return values;
+}
+
+template <int dim>
+void Harmonic<dim>::refine()
+{
+  const HarmonicParameters &harmonic = run.input.harmonic;
   FrequencyRefinementOptions options;
   options.tolerance = harmonic.response_tolerance;
   options.most_frequencies = harmonic.most_frequencies;
-  const FrequencyRefinement refinement(harmonic.lowest, harmonic.highest, harmonic.is_logarithmic,
-                                       solve, options);
+  refinement = std::make_unique<FrequencyRefinement>(
+      harmonic.lowest, harmonic.highest, harmonic.is_logarithmic,
+      [this](const std::vector<double> &frequencies) { return solve_further(frequencies); },
+      options);
   std::ostringstream text;
-  text << refinement.frequencies().size() << " frequencies from " << harmonic.lowest << " to "
+  text << refinement->frequencies().size() << " frequencies from " << harmonic.lowest << " to "
        << harmonic.highest << " Hz: new ones differ from a rational approximation by "
-       << refinement.difference_at_checks() << " of the largest response";
+       << refinement->difference_at_checks() << " of the largest response";
   run.log.detail(text.str());
-  run.summary.add({"difference at new frequencies", refinement.difference_at_checks(), "1", ""});
-  if (!refinement.has_converged())
+  run.summary.add({"difference at new frequencies", refinement->difference_at_checks(), "1", ""});
+  if (!refinement->has_converged())
     run.log.warning("the responses are not known within Harmonic/Response tolerance between the "
                     "frequencies: give a larger Number of frequencies, or a narrower range");
   std::vector<double> listed;
   for (const double frequency : harmonic.frequencies)
     if (known.count(frequency) == 0)
       listed.push_back(frequency);
-  solve(listed);
+  solve_further(listed);
+}
+
+template <int dim>
+void Harmonic<dim>::record_known()
+{
+  HarmonicParameters &harmonic = run.input.harmonic;
   harmonic.frequencies.clear();
   for (const auto &[frequency, solution] : known)
   {
     harmonic.frequencies.push_back(frequency);
-    system->show(solution, 1.);
     record(harmonic.frequencies.size() - 1, solution);
   }
-  write_interpolated(refinement);
 }
 
 template <int dim>
-void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) const
+void Harmonic<dim>::solve_refined_range()
+{
+  try
+  {
+    refine();
+  }
+  catch (const RunError &)
+  {
+    // An interruption is one, too.
+    record_known();
+    throw;
+  }
+  record_known();
+  write_interpolated();
+}
+
+template <int dim>
+void Harmonic<dim>::write_interpolated() const
 {
   const HarmonicParameters &harmonic = run.input.harmonic;
   if (!run.is_writer || run.input.probes.n_columns() == 0)
@@ -312,7 +319,7 @@ void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) co
     std::vector<Complex> values;
     for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
       values.push_back(
-          refinement.approximation().value(column, {0., 2. * numbers::PI * frequency}));
+          refinement->approximation().value(column, {0., 2. * numbers::PI * frequency}));
     this->add_row(table, {frequency}, values);
   }
   table->flush();

@@ -6,7 +6,6 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/undefined.h>
-#include <continua/frequency/winding_number.h>
 #include <continua/linear_algebra/singular_matrix.h>
 
 #include <deal.II/base/numbers.h>
@@ -31,6 +30,10 @@ constexpr double least_damping_ratio = 1e-9;
 /// its modes [rad].
 constexpr double angle_beyond_axis = 0.02;
 constexpr std::size_t most_evaluations = 600;
+/// Of what the tube behind an absorbing end answers to.
+constexpr double largest_ratio_of_ends = 0.93;
+/// The sector in which equal resonances are counted, over |s|, to either side.
+constexpr double widest_round_one = 1e-3;
 
 /// Makes the largest displacement a real one of 1 m. The first of equal ones counts, on the first
 /// rank that has one.
@@ -75,14 +78,15 @@ template <int dim>
 void Resonances<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   check_harmonic_body(input, root, "use Analysis = transient");
+  check_no_mean_pressure(input.problem, root, "use Analysis = transient");
   for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.type == BoundaryType::absorbing)
-      root.subsection("Boundaries")
-          .subsection(condition.name)
-          .refuse("Type",
-                  "the tube behind an absorbing end has no waves that die away in time, as a free "
-                  "motion does",
-                  "Use 'free', 'fixed', 'resistance' or 'windkessel'");
+    if (condition.type == BoundaryType::absorbing &&
+        input.resonances.largest_damping_ratio > largest_ratio_of_ends)
+      root.subsection("Resonances")
+          .refuse("Largest damping ratio",
+                  "the waves behind the absorbing end '" + condition.name +
+                      "' are known up to a damping ratio of 0.93",
+                  "Give 0.93 or less");
 }
 
 template <int dim>
@@ -180,10 +184,8 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
 }
 
 template <int dim>
-void Resonances<dim>::count(const std::vector<Resonance> &found)
+WindingNumber Resonances<dim>::turns_round(const PlaneSector &sector)
 {
-  const ResonanceParameters &parameters = run.input.resonances;
-  SectionTimer::Scope scope(run.log.timer(), "count");
   const auto logarithm = [this](const Complex s)
   {
     SignalWatch::stop_if_asked(run.input.communicator,
@@ -199,11 +201,31 @@ void Resonances<dim>::count(const std::vector<Resonance> &found)
     }
     return system->determinant().logarithm;
   };
-  const PlaneSector band = {2. * numbers::PI * parameters.lowest,
-                            2. * numbers::PI * parameters.highest,
-                            0.5 * numbers::PI - angle_beyond_axis,
-                            0.5 * numbers::PI + std::asin(parameters.largest_damping_ratio)};
-  const WindingNumber winding = winding_number(logarithm, band, most_evaluations);
+  return winding_number(logarithm, sector, most_evaluations);
+}
+
+template <int dim>
+int Resonances<dim>::multiplicity(const std::vector<Resonance> &found, const std::size_t number)
+{
+  const Complex s = found[number].s;
+  double width = widest_round_one;
+  for (std::size_t other = 0; other < found.size(); ++other)
+    if (other != number)
+      width = std::min(width, 0.3 * std::abs(found[other].s / s - 1.));
+  const WindingNumber turns = turns_round({std::abs(s) * (1. - width), std::abs(s) * (1. + width),
+                                           std::arg(s) - width, std::arg(s) + width});
+  return turns.is_known ? std::max(1, turns.number) : 1;
+}
+
+template <int dim>
+void Resonances<dim>::count(const std::vector<Resonance> &found)
+{
+  const ResonanceParameters &parameters = run.input.resonances;
+  SectionTimer::Scope scope(run.log.timer(), "count");
+  const WindingNumber winding =
+      turns_round({2. * numbers::PI * parameters.lowest, 2. * numbers::PI * parameters.highest,
+                   0.5 * numbers::PI - angle_beyond_axis,
+                   0.5 * numbers::PI + std::asin(parameters.largest_damping_ratio)});
   if (!winding.is_known)
   {
     run.log.warning(
@@ -216,15 +238,30 @@ void Resonances<dim>::count(const std::vector<Resonance> &found)
   run.log.line("By the winding of the determinant: " + std::to_string(winding.number));
   run.log.detail("The winding took " + std::to_string(winding.n_evaluations) + " factors");
   run.summary.add({"resonances by winding", static_cast<double>(winding.number), "1", ""});
-  if (winding.number != static_cast<int>(found.size()))
-    run.log.warning("the band has " + std::to_string(winding.number) +
-                    " resonances by the winding of the determinant, and " +
-                    std::to_string(found.size()) + " were found: " +
-                    (winding.number > static_cast<int>(found.size())
-                         ? "some are missing, or are equal to others by symmetry. Give more "
-                           "Resonances/Loads in a region, or a smaller Tolerance"
-                         : "the determinant has poles in the band, such as those of an absorbing "
-                           "end"));
+  const int n_found = static_cast<int>(found.size());
+  const std::string numbers_of_both = "the band has " + std::to_string(winding.number) +
+                                      " resonances by the winding of the determinant, and " +
+                                      std::to_string(n_found) + " were found: ";
+  if (winding.number < n_found)
+    run.log.warning(numbers_of_both +
+                    "the determinant has poles in the band, such as those of an absorbing end");
+  if (winding.number <= n_found)
+    return;
+  // The symmetry of a body may make several of them equal.
+  int n_with_equals = 0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    const int n_equal = multiplicity(found, k);
+    n_with_equals += n_equal;
+    if (n_equal > 1)
+      run.log.line("Resonance " + std::to_string(k + 1) + " stands for " + std::to_string(n_equal) +
+                   " equal ones");
+  }
+  if (winding.number > n_with_equals)
+    throw RunError(numbers_of_both + std::to_string(winding.number - n_with_equals) +
+                   " are missing. resonances.csv keeps those that were found. Give more "
+                   "Resonances/Loads in a region, a smaller Tolerance or a narrower band; or set "
+                   "Count = false to take them without a count.");
 }
 
 template class Resonances<2>;

@@ -263,6 +263,11 @@ Case<dim>::Case(ParameterFile &file,
       time.read(root.subsection("Time"));
       periodic_state.read(root.subsection("Periodic state"));
     }
+    else if (analysis.name == "pulse response")
+    {
+      pulse_response.read(root.subsection("Pulse response"));
+      time.read(root.subsection("Time"));
+    }
   }
   else
     rest.read(root.subsection("Steady"), problem.is_nonlinear());

@@ -40,24 +40,48 @@ std::vector<bool> TaylorHoodHarmonic<dim>::free_velocities() const
 }
 
 template <int dim>
-void TaylorHoodHarmonic<dim>::show(const HarmonicSolution &solution, const Complex factor)
+std::vector<VelocityPlace<dim>> TaylorHoodHarmonic<dim>::velocity_places() const
 {
-  const auto set =
+  std::vector<VelocityPlace<dim>> result(n_local_velocities());
+  const dealii::FiniteElement<dim> &element = space.velocity_element;
+  std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
+  for (const auto &cell : space.velocity_dofs.active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(indices);
+    for (unsigned int i = 0; i < indices.size(); ++i)
+      if (space.velocity_owned.is_element(indices[i]))
+        result[space.velocity_owned.index_within_set(indices[i])] = {
+            space.mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i)),
+            element.system_to_component_index(i).first};
+  }
+  return result;
+}
+
+template <int dim>
+void TaylorHoodHarmonic<dim>::show_sum(const std::vector<WeightedSolution> &parts)
+{
+  const auto add =
       [](const Complex of_all, const std::vector<Complex> &values, DistributedVector &vector)
   {
     for (std::size_t i = 0; i < values.size(); ++i)
-      vector.begin()[i] = (of_all * values[i]).real();
+      vector.begin()[i] += (of_all * values[i]).real();
   };
-  set(factor, solution.displacement, state.displacement);
-  set(factor * solution.s, solution.displacement, state.velocity);
-  set(factor, solution.pressure, state.pressure);
-  const HarmonicCoefficients at_s = equations.coefficients(solution.s);
+  state.displacement = 0.;
+  state.velocity = 0.;
+  state.pressure = 0.;
   state.mixtures.resize(operators.size());
-  for (unsigned int region = 0; region < operators.size(); ++region)
+  for (DistributedVector &mixture : state.mixtures)
+    mixture.reinit(state.velocity);
+  for (const auto &[solution, factor] : parts)
   {
-    if (state.mixtures[region].size() != state.velocity.size())
-      state.mixtures[region].reinit(state.velocity);
-    set(factor * at_s.stiffness[region], solution.displacement, state.mixtures[region]);
+    add(factor, solution.displacement, state.displacement);
+    add(factor * solution.s, solution.displacement, state.velocity);
+    add(factor, solution.pressure, state.pressure);
+    const HarmonicCoefficients at_s = equations.coefficients(solution.s);
+    for (unsigned int region = 0; region < operators.size(); ++region)
+      add(factor * at_s.stiffness[region], solution.displacement, state.mixtures[region]);
   }
 }
 

@@ -13,8 +13,8 @@
 
 namespace Continua
 {
-/// What the analyses in the frequency domain have in common: the run with its HarmonicSystem, tables
-/// with complex values of the probes, and fields as real and imaginary part.
+/// What the analyses in the frequency domain have in common: the run with its HarmonicSystem,
+/// tables with complex values of the probes, and fields as real and imaginary part.
 template <int dim>
 class FrequencyAnalysis
 {
@@ -36,6 +36,8 @@ protected:
                       const std::vector<Complex> &of_probes);
   /// Into fields.pvd: the real part under this number, the imaginary part half a number behind.
   void write_fields(const HarmonicSolution &solution, double number);
+  /// The state that the solver shows, under a number or a time [s].
+  void write_state(double number);
   void finish_fields();
   /// The summary of the whole; `time` [s]: up to which the run got, 0 where there is none.
   void finish(double time);

@@ -7,6 +7,8 @@
 #include <continua/continuum/harmonic_system.h>
 #include <continua/frequency/frequency_refinement.h>
 
+#include <complex>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,19 +34,27 @@ public:
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
-  using typename FrequencyAnalysis<dim>::Complex;
+  using Complex = std::complex<double>;
   using FrequencyAnalysis<dim>::run;
   using FrequencyAnalysis<dim>::system;
   std::vector<NamedLoad> loads; ///< with their phases
   HarmonicLoad total;
   std::unique_ptr<HarmonicTables<dim>> tables;
+  std::unique_ptr<FrequencyRefinement> refinement;
+  std::map<double, HarmonicSolution> known; ///< of a refined range, by frequency [Hz]
 
   void take_loads();
   /// At given frequencies, one after the other.
   void solve_range();
-  /// At as many as the responses of the probes need; then the frequencies are these, too.
+  /// At as many as the responses of the probes need; then the frequencies are these, too. What was
+  /// computed before an error or an interruption is recorded.
   void solve_refined_range();
-  void write_interpolated(const FrequencyRefinement &refinement) const;
+  void refine();
+  /// Values of the probes at each of the frequencies, which are known then. Throws Interrupted.
+  std::vector<std::vector<Complex>> solve_further(const std::vector<double> &frequencies);
+  /// In increasing order.
+  void record_known();
+  void write_interpolated() const;
   /// For an error: what was computed before it.
   std::string rows_kept() const;
   /// Of one frequency, by its number.

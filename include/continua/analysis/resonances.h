@@ -4,7 +4,9 @@
 #include <continua/analysis/frequency_analysis.h>
 #include <continua/analysis/resonance_search.h>
 #include <continua/analysis/run.h>
+#include <continua/frequency/winding_number.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace Continua
@@ -31,7 +33,12 @@ private:
   using FrequencyAnalysis<dim>::system;
 
   void write(std::vector<Resonance> &found);
-  /// The number by the winding of the determinant, and a warning where it is another one.
+  /// Of the determinant, as s goes once round a sector.
+  WindingNumber turns_round(const PlaneSector &sector);
+  /// How many resonances are equal to one of those that were found.
+  int multiplicity(const std::vector<Resonance> &found, std::size_t number);
+  /// The number by the winding of the determinant. Throws RunError if resonances are missing; a
+  /// warning says if there are fewer.
   void count(const std::vector<Resonance> &found);
 };
 } // namespace Continua

@@ -44,6 +44,7 @@ public:
   unsigned long long n_unknowns() const override { return solver.n_unknowns(); }
   std::vector<std::vector<unsigned int>> velocity_nodes() const override;
   std::vector<bool> free_velocities() const override;
+  std::vector<VelocityPlace<dim>> velocity_places() const override;
   std::vector<HarmonicLoadSource> sources() const override { return loads.sources(); }
   HarmonicLoad load_of(const HarmonicLoadSource &source, double time) const override
   {
@@ -76,7 +77,7 @@ public:
   {
     equations.multiply(s, solution, forces, dilatations);
   }
-  void show(const HarmonicSolution &solution, Complex factor) override;
+  void show_sum(const std::vector<WeightedSolution> &parts) override;
   HarmonicPowers powers(const HarmonicSolution &solution, const HarmonicLoad &load) override
   {
     return ledger.powers(solution, load);
