@@ -5,7 +5,6 @@
 #include <continua/analysis/wave_number_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
-#include <continua/base/table_writer.h>
 #include <continua/continuum/field_list.h>
 #include <continua/linear_algebra/singular_matrix.h>
 
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace Continua
@@ -87,23 +85,6 @@ void check_unit_load(const Case<dim> &input, ParameterSection root)
                     "Leave the entry out, and give that boundary the velocity or flow rate 1");
 }
 
-/// Refuses what belongs to a state that is not there.
-void check_states(const Problem &problem, ParameterSection root)
-{
-  for (const BoundaryCondition &condition : problem.conditions)
-  {
-    ParameterSection section = root.subsection("Boundaries").subsection(condition.name);
-    if (condition.absorbing.has_mean_pressure)
-      section.refuse("Mean pressure",
-                     "a harmonic analysis has oscillations alone, and this is a state about which "
-                     "they go",
-                     std::string("Remove the entry, or ") + another_way);
-    if (condition.outlet && !condition.outlet->initial_states.empty())
-      section.refuse("Initial pressure", "a motion that goes on for ever has no initial state",
-                     std::string("Remove the entry, or ") + another_way);
-  }
-}
-
 /// Refuses a Phase of nothing.
 template <int dim>
 void check_phases(const Case<dim> &input, ParameterSection root, const bool has_body_force)
@@ -129,7 +110,7 @@ void check_phases(const Case<dim> &input, ParameterSection root, const bool has_
 template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_states(input.problem, root);
+  check_no_states(input.problem, root, another_way);
   check_harmonic_body(input, root, another_way);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;
@@ -215,10 +196,7 @@ void Harmonic<dim>::record(const std::size_t number, const HarmonicSolution &sol
   const std::vector<double> &wanted = harmonic.field_frequencies;
   if (std::find(wanted.begin(), wanted.end(), frequency) == wanted.end())
     return;
-  // The real part is what the solver shows.
-  writer->write(*run.solver, number + 1.);
-  system->show(solution, {0., -1.});
-  writer->write(*run.solver, number + 1.5);
+  this->write_fields(solution, number + 1.);
 }
 
 template <int dim>
@@ -243,71 +221,93 @@ void Harmonic<dim>::solve_range()
 }
 
 template <int dim>
-void Harmonic<dim>::solve_refined_range()
+std::vector<std::vector<std::complex<double>>>
+Harmonic<dim>::solve_further(const std::vector<double> &frequencies)
 {
-  HarmonicParameters &harmonic = run.input.harmonic;
-  std::map<double, HarmonicSolution> known;
-  const auto solve = [&](const std::vector<double> &frequencies)
-  {
-    std::vector<Complex> points;
-    points.reserve(frequencies.size());
-    for (const double frequency : frequencies)
-      points.emplace_back(0., 2. * numbers::PI * frequency);
-    std::vector<std::vector<Complex>> values;
-    system->solve_at(
-        points, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
-        [&](const std::size_t number, const std::vector<HarmonicLoad> &,
-            const std::vector<HarmonicSolution> &solutions)
-        {
-          known[frequencies[number]] = solutions[0];
-          values.push_back(probe_values(*system, run.input.probes, solutions[0]));
-        });
-    SignalWatch::stop_if_asked(run.input.communicator,
-                               "after " + std::to_string(known.size()) +
-                                   " frequencies; a harmonic analysis begins anew, with "
-                                   "--overwrite");
-    return values;
-  };
+  std::vector<Complex> points;
+  points.reserve(frequencies.size());
+  for (const double frequency : frequencies)
+    points.emplace_back(0., 2. * numbers::PI * frequency);
+  std::vector<std::vector<Complex>> values;
+  system->solve_at(
+      points, [this](std::size_t) { return std::vector<HarmonicLoad>{total}; },
+      [&](const std::size_t number, const std::vector<HarmonicLoad> &,
+          const std::vector<HarmonicSolution> &solutions)
+      {
+        known[frequencies[number]] = solutions[0];
+        values.push_back(probe_values(*system, run.input.probes, solutions[0]));
+      });
+  SignalWatch::stop_if_asked(run.input.communicator,
+                             "after " + std::to_string(known.size()) +
+                                 " frequencies; a harmonic analysis begins anew, with "
+                                 "--overwrite");
+  return values;
+}
+
+template <int dim>
+void Harmonic<dim>::refine()
+{
+  const HarmonicParameters &harmonic = run.input.harmonic;
   FrequencyRefinementOptions options;
   options.tolerance = harmonic.response_tolerance;
   options.most_frequencies = harmonic.most_frequencies;
-  const FrequencyRefinement refinement(harmonic.lowest, harmonic.highest, harmonic.is_logarithmic,
-                                       solve, options);
+  refinement = std::make_unique<FrequencyRefinement>(
+      harmonic.lowest, harmonic.highest, harmonic.is_logarithmic,
+      [this](const std::vector<double> &frequencies) { return solve_further(frequencies); },
+      options);
   std::ostringstream text;
-  text << refinement.frequencies().size() << " frequencies from " << harmonic.lowest << " to "
+  text << refinement->frequencies().size() << " frequencies from " << harmonic.lowest << " to "
        << harmonic.highest << " Hz: new ones differ from a rational approximation by "
-       << refinement.difference_at_checks() << " of the largest response";
+       << refinement->difference_at_checks() << " of the largest response";
   run.log.detail(text.str());
-  run.summary.add({"difference at new frequencies", refinement.difference_at_checks(), "1", ""});
-  if (!refinement.has_converged())
+  run.summary.add({"difference at new frequencies", refinement->difference_at_checks(), "1", ""});
+  if (!refinement->has_converged())
     run.log.warning("the responses are not known within Harmonic/Response tolerance between the "
                     "frequencies: give a larger Number of frequencies, or a narrower range");
   std::vector<double> listed;
   for (const double frequency : harmonic.frequencies)
     if (known.count(frequency) == 0)
       listed.push_back(frequency);
-  solve(listed);
+  solve_further(listed);
+}
+
+template <int dim>
+void Harmonic<dim>::record_known()
+{
+  HarmonicParameters &harmonic = run.input.harmonic;
   harmonic.frequencies.clear();
   for (const auto &[frequency, solution] : known)
   {
     harmonic.frequencies.push_back(frequency);
-    system->show(solution, 1.);
     record(harmonic.frequencies.size() - 1, solution);
   }
-  write_interpolated(refinement);
 }
 
 template <int dim>
-void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) const
+void Harmonic<dim>::solve_refined_range()
+{
+  try
+  {
+    refine();
+  }
+  catch (const RunError &)
+  {
+    // An interruption is one, too.
+    record_known();
+    throw;
+  }
+  record_known();
+  write_interpolated();
+}
+
+template <int dim>
+void Harmonic<dim>::write_interpolated() const
 {
   const HarmonicParameters &harmonic = run.input.harmonic;
   if (!run.is_writer || run.input.probes.n_columns() == 0)
     return;
-  std::vector<std::string> header = {"frequency [Hz]"};
-  for (const std::string &name : run.input.probes.column_names())
-    for (const char *const part : {"real ", "imaginary "})
-      header.push_back(part + name);
-  TableWriter table(run.directory.file("interpolated-response.csv"), header);
+  const std::unique_ptr<TableWriter> table =
+      this->complex_table("interpolated-response.csv", {"frequency [Hz]"});
   constexpr unsigned int n_rows = 401;
   for (unsigned int i = 0; i < n_rows; ++i)
   {
@@ -316,17 +316,13 @@ void Harmonic<dim>::write_interpolated(const FrequencyRefinement &refinement) co
         harmonic.is_logarithmic
             ? harmonic.lowest * std::pow(harmonic.highest / harmonic.lowest, part)
             : harmonic.lowest + part * (harmonic.highest - harmonic.lowest);
-    std::vector<double> row = {frequency};
+    std::vector<Complex> values;
     for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
-    {
-      const Complex value =
-          refinement.approximation().value(column, {0., 2. * numbers::PI * frequency});
-      row.push_back(value.real());
-      row.push_back(value.imag());
-    }
-    table.row(row);
+      values.push_back(
+          refinement->approximation().value(column, {0., 2. * numbers::PI * frequency}));
+    this->add_row(table, {frequency}, values);
   }
-  table.flush();
+  table->flush();
 }
 
 template <int dim>
@@ -338,15 +334,10 @@ std::string Harmonic<dim>::rows_kept() const
 template <int dim>
 void Harmonic<dim>::perform()
 {
-  run.initialise();
-  Case<dim> &input = run.input;
-  system = harmonic_system_of(run);
+  this->start();
+  const Case<dim> &input = run.input;
   take_loads();
   tables = std::make_unique<HarmonicTables<dim>>(run, *system, loads);
-  writer = std::make_unique<FieldWriter<dim>>(
-      input.communicator, run.directory.path(),
-      input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
-      input.output.higher_order_cells, input.output.files_per_state);
   try
   {
     SectionTimer::Scope scope(run.log.timer(), "frequencies");
@@ -380,8 +371,7 @@ void Harmonic<dim>::perform()
   }
   tables->finish();
   WaveNumberTable<dim>(run, tables->recorded()).write();
-  if (!input.harmonic.field_frequencies.empty())
-    writer->finish(run.summary);
+  this->finish_fields();
   std::ostringstream text;
   text << input.harmonic.frequencies.size()
        << (input.harmonic.frequencies.size() == 1 ? " frequency" : " frequencies") << " of "
@@ -391,8 +381,7 @@ void Harmonic<dim>::perform()
   run.summary.set("frequencies", static_cast<double>(input.harmonic.frequencies.size()));
   run.summary.set("memory of the factors [bytes]", system->factor_memory());
   run.summary.add({"largest residual", system->largest_residual(), "1", ""});
-  run.citations.add("mumps");
-  run.finish(0, 0.);
+  this->finish(0.);
 }
 
 template class Harmonic<2>;

@@ -50,6 +50,31 @@ void check_probes(const Case<dim> &input, ParameterSection root, const std::stri
 }
 } // namespace
 
+void check_no_mean_pressure(const Problem &problem,
+                            ParameterSection root,
+                            const std::string &remedy)
+{
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.absorbing.has_mean_pressure)
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Mean pressure",
+                  "a harmonic analysis has oscillations alone, and this is a state about which "
+                  "they go",
+                  "Remove the entry, or " + remedy);
+}
+
+void check_no_states(const Problem &problem, ParameterSection root, const std::string &remedy)
+{
+  check_no_mean_pressure(problem, root, remedy);
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.outlet && !condition.outlet->initial_states.empty())
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Initial pressure", "a motion that goes on for ever has no initial state",
+                  "Remove the entry, or " + remedy);
+}
+
 template <int dim>
 void check_harmonic_body(const Case<dim> &input, ParameterSection root, const std::string &remedy)
 {

@@ -4,6 +4,8 @@
 #include <continua/analysis/free_motions.h>
 #include <continua/analysis/harmonic_checks.h>
 #include <continua/analysis/harmonic_tables.h>
+#include <continua/analysis/mean_of_loads.h>
+#include <continua/analysis/periodic_mean.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
@@ -17,8 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <sstream>
 
 namespace Continua
@@ -32,97 +32,34 @@ using Complex = std::complex<double>;
 /// Times over a period at which loads are taken, for each harmonic that there may be.
 constexpr std::size_t samples_for_a_harmonic = 8;
 constexpr std::size_t least_samples = 1024;
-/// The mean is that of loads which have grown with exp(s t) since ever, s being at most this part
-/// of the angular frequency of the period, and of the rate of the slowest relaxation. Twice this s
-/// takes the first order of it off.
-constexpr double growth_of_mean = 1e-4, growth_over_rate = 1e-3;
-/// By which s falls where two means differ, and how often.
-constexpr double fall_of_growth = 0.1;
-constexpr unsigned int most_falls = 5;
-/// Of the largest quantity of the same unit, below which a difference of means may be round-off.
-constexpr double round_off_of_mean = 1e-7;
-/// A load whose mean is below this part of its largest value has none.
-constexpr double no_mean = 1e-9;
 
-/// The longest time [s] in which a stress or a windkessel comes to rest; 0: none.
-double longest_relaxation(const Problem &problem)
-{
-  double longest = 0.;
-  const auto take = [&longest](const double time)
-  {
-    if (std::isfinite(time))
-      longest = std::max(longest, time);
-  };
-  for (const Material &material : problem.materials)
-  {
-    for (const Branch &branch : material.shear.branches)
-      take(branch.relaxation_time);
-    for (const BulkBranch &branch : material.compression.bulk_branches())
-      take(branch.relaxation_time);
-  }
-  for (const BoundaryCondition &condition : problem.conditions)
-    if (condition.outlet)
-      for (const Impedance::Term &term : condition.outlet->impedance.terms)
-        if (term.rate > 0.)
-          take(1. / term.rate);
-  return longest;
-}
-
-/// Whether it has a mean wherever it acts. What depends on place and time is known by its samples
-/// alone.
-bool has_mean_everywhere(const Waveform &load, const PeriodicStateParameters &beats)
-{
-  if (load.is_zero() || (load.depends_on_time() && load.depends_on_space()))
-    return false;
-  if (!load.depends_on_time())
-    return true;
-  const double origin[3] = {0., 0., 0.};
-  double sum = 0., largest = 0.;
-  for (std::size_t j = 0; j < least_samples; ++j)
-  {
-    const double value =
-        load(origin, (beats.first_of_loads + (j + 0.5) / least_samples) * beats.period);
-    sum += value / least_samples;
-    largest = std::max(largest, std::abs(value));
-  }
-  return std::abs(sum) > no_mean * largest;
-}
-
-bool loads_have_mean(const Problem &problem, const PeriodicStateParameters &beats)
-{
-  std::vector<Waveform> all = problem.interior.body_force;
-  all.insert(all.end(), problem.interior.acceleration.begin(), problem.interior.acceleration.end());
-  for (const BoundaryCondition &condition : problem.conditions)
-  {
-    for (const BoundaryPart *part : {&condition.normal, &condition.tangential})
-    {
-      all.insert(all.end(), part->vector.begin(), part->vector.end());
-      all.push_back(part->along_normal);
-    }
-    if (condition.free_flow)
-      all.push_back(condition.free_flow->rate);
-    if (condition.outlet)
-      all.push_back(condition.outlet->pressure_behind);
-  }
-  return std::any_of(all.begin(), all.end(),
-                     [&beats](const Waveform &load) { return has_mean_everywhere(load, beats); });
-}
 } // namespace
 
 template <int dim>
 void PeriodicResponse<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   check_harmonic_body(input, root, "use Analysis = transient");
+  check_no_mean_pressure(input.problem, root, "use Analysis = transient");
+  if (!loads_have_mean(input.problem, input.periodic_state))
+    return;
+  refuse_free_motions(input, root,
+                      ", so that the mean of the loads moves it further in every period",
+                      "; or take the mean off the loads");
   for (const BoundaryCondition &condition : input.problem.conditions)
     if (condition.type == BoundaryType::absorbing)
       root.subsection("Boundaries")
           .subsection(condition.name)
-          .refuse("Type", "the mean of a periodic state is no wave that leaves an absorbing end",
-                  "Use 'resistance' or 'windkessel', or Analysis = transient");
-  if (loads_have_mean(input.problem, input.periodic_state))
-    refuse_free_motions(input, root,
-                        ", so that the mean of the loads moves it further in every period",
-                        "; or take the mean off the loads");
+          .refuse("Type", "the mean of the loads is no wave that leaves an absorbing end",
+                  "Use 'resistance' or 'windkessel', loads without a mean, or Analysis = "
+                  "transient");
+  for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
+    if (creeps_for_ever(input.problem.materials[region]))
+      root.subsection("Materials")
+          .subsection(input.problem.regions[region])
+          .refuse("Type",
+                  "the solid creeps for ever under the mean of the loads, so that there is no "
+                  "periodic state",
+                  "Use a law with a long-term modulus, such as prony, or loads without a mean");
 }
 
 template <int dim>
@@ -137,6 +74,7 @@ void PeriodicResponse<dim>::name_quantities(const Case<dim> &input, QuantityName
   names.add("harmonics");
   names.add("largest change by further harmonics");
   names.add("largest difference of the means");
+  names.add("largest imbalance of mean powers");
 }
 
 template <int dim>
@@ -150,7 +88,7 @@ void PeriodicResponse<dim>::take_loads()
   for (std::size_t j = 0; j < n; ++j)
     times.push_back((beats.first_of_loads + (j + 0.5) / n) * beats.period);
   loads = std::make_unique<LoadSamples<dim>>(*system, times, run.input.communicator);
-  bool has_mean = false;
+  bool some_mean = false;
   for (std::size_t k = 0; k < loads->n_shapes(); ++k)
   {
     std::vector<Complex> spectrum = fourier_transform(loads->factors(k));
@@ -160,19 +98,22 @@ void PeriodicResponse<dim>::take_loads()
     for (std::size_t harmonic = 0; harmonic < spectrum.size(); ++harmonic)
       spectrum[harmonic] *= (harmonic == 0 ? 1. : 2.) / n *
                             std::polar(1., -numbers::PI * static_cast<double>(harmonic) / n);
-    if (std::abs(spectrum[0]) <= no_mean * largest)
+    if (std::abs(spectrum[0]) <= no_mean_of_load * largest)
       spectrum[0] = 0.;
-    has_mean = has_mean || spectrum[0] != 0.;
+    some_mean = some_mean || spectrum[0] != 0.;
     load_sizes.resize(spectrum.size(), 0.);
     for (std::size_t harmonic = 0; harmonic < spectrum.size(); ++harmonic)
       load_sizes[harmonic] += std::abs(spectrum[harmonic]) / largest;
     spectra.push_back(spectrum);
   }
-  for (unsigned int region = 0; has_mean && region < run.input.problem.materials.size(); ++region)
+  for (const BoundaryCondition &condition : run.input.problem.conditions)
+    if (some_mean && condition.type == BoundaryType::absorbing)
+      throw RunError("the mean of the loads is no wave that leaves the absorbing end '" +
+                     condition.name + "'. Use loads without a mean, or another end.");
+  for (unsigned int region = 0; some_mean && region < run.input.problem.materials.size(); ++region)
   {
-    const Material &material = run.input.problem.materials[region];
-    if (material.is_solid() &&
-        (material.has_power_law() || material.long_term_shear_modulus() == 0.))
+    // Loads of time and place, whose mean the samples alone tell.
+    if (creeps_for_ever(run.input.problem.materials[region]))
       throw RunError("the region '" + run.input.problem.regions[region] +
                      "' creeps for ever under the mean of the loads, so that there is no periodic "
                      "state. Use a law with a long-term modulus, or loads without a mean.");
@@ -187,76 +128,6 @@ HarmonicLoad PeriodicResponse<dim>::load_of(const unsigned int harmonic) const
   for (const std::vector<Complex> &spectrum : spectra)
     factors.push_back(spectrum[harmonic]);
   return loads->sum(factors);
-}
-
-template <int dim>
-std::vector<Complex> PeriodicResponse<dim>::means(const std::vector<double> &ranges)
-{
-  const HarmonicLoad load = load_of(0);
-  const bool has_mean = std::any_of(spectra.begin(), spectra.end(),
-                                    [](const std::vector<Complex> &row) { return row[0] != 0.; });
-  if (!has_mean)
-    return std::vector<Complex>(run.input.probes.n_columns());
-  Probes<dim> &probes = run.input.probes;
-  const double slowest = longest_relaxation(run.input.problem);
-  double s = growth_of_mean * 2. * numbers::PI / run.input.periodic_state.period;
-  if (slowest > 0.)
-    s = std::min(s, growth_over_rate / slowest);
-  const auto values_at = [&](const double growth)
-  {
-    system->factor(growth);
-    return probe_values(*system, probes, system->solve({load})[0]);
-  };
-  // Of two means without their first order the difference is three times the error of the second.
-  double least = std::numeric_limits<double>::infinity();
-  std::string worst;
-  for (unsigned int fall = 0; fall <= most_falls; ++fall, s *= fall_of_growth)
-  {
-    const std::vector<Complex> near = values_at(s), middle = values_at(2. * s),
-                               far = values_at(4. * s);
-    std::vector<Complex> result;
-    std::map<std::string, double> largest;
-    for (unsigned int i = 0; i < near.size(); ++i)
-    {
-      result.emplace_back(2. * near[i].real() - middle[i].real());
-      double &of_unit = largest[probes.unit_of(i)];
-      of_unit = std::max({of_unit, std::abs(result[i].real()), ranges[i]});
-    }
-    double difference = 0.;
-    std::string place;
-    for (unsigned int i = 0; i < near.size(); ++i)
-    {
-      const double other = 2. * middle[i].real() - far[i].real();
-      const double scale = std::max(
-          {std::abs(result[i].real()), ranges[i], round_off_of_mean * largest[probes.unit_of(i)]});
-      const double part =
-          scale > 0. ? std::abs(result[i].real() - other) / scale
-                     : (std::isfinite(other) ? 0. : std::numeric_limits<double>::infinity());
-      if (is_compared(i) && !(part <= difference))
-      {
-        difference = std::isfinite(part) ? part : std::numeric_limits<double>::max();
-        place = probes.name_of(i).label();
-      }
-    }
-    if (difference <= run.input.periodic_response.tolerance)
-    {
-      difference_of_means = difference;
-      return result;
-    }
-    if (difference < least)
-    {
-      least = difference;
-      worst = place;
-    }
-  }
-  throw RunError("the mean of '" + worst + "' is not known: it differs by " +
-                 shortest_number(least) +
-                 " of its range or its mean where the loads grow faster, and Periodic "
-                 "response/Tolerance is " +
-                 shortest_number(run.input.periodic_response.tolerance) +
-                 ". A body that the mean of its loads moves or fills in every period has no "
-                 "periodic state: give the liquid a way out and hold the solid, or compare other "
-                 "probes.");
 }
 
 template <int dim>
@@ -275,6 +146,7 @@ std::vector<Complex> PeriodicResponse<dim>::amplitudes(const unsigned int harmon
                              "before harmonic " + std::to_string(harmonic) +
                                  "; a periodic response begins anew, with --overwrite");
   const double frequency = harmonic / run.input.periodic_state.period;
+  const HarmonicLoad load = load_of(harmonic);
   try
   {
     system->factor({0., 2. * numbers::PI * frequency});
@@ -285,7 +157,11 @@ std::vector<Complex> PeriodicResponse<dim>::amplitudes(const unsigned int harmon
                    " of the period, " + shortest_number(frequency) +
                    " Hz, is the frequency of a mode without damping.");
   }
-  return probe_values(*system, run.input.probes, system->solve({load_of(harmonic)})[0]);
+  const HarmonicSolution solution = system->solve({load})[0];
+  if (keeps_fields())
+    solutions.push_back(solution);
+  powers.push_back(system->powers(solution, load));
+  return probe_values(*system, run.input.probes, solution);
 }
 
 template <int dim>
@@ -329,32 +205,91 @@ void PeriodicResponse<dim>::write_history(const PeriodicSeries &series)
 template <int dim>
 void PeriodicResponse<dim>::write_harmonics(const PeriodicSeries &series)
 {
-  if (!run.is_writer)
+  const std::unique_ptr<TableWriter> table =
+      this->complex_table("harmonics.csv", {"harmonic [1]", "frequency [Hz]"});
+  if (!table)
     return;
-  std::vector<std::string> header = {"harmonic [1]", "frequency [Hz]"};
-  for (const std::string &name : run.input.probes.column_names())
-    for (const char *const part : {"real ", "imaginary "})
-      header.push_back(part + name);
-  TableWriter table(run.directory.file("harmonics.csv"), header);
   for (unsigned int harmonic = 0; harmonic <= series.n_harmonics(); ++harmonic)
   {
-    std::vector<double> row = {static_cast<double>(harmonic), harmonic / series.period()};
+    std::vector<Complex> values;
     for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
-    {
-      row.push_back(series.amplitude(column, harmonic).real());
-      row.push_back(series.amplitude(column, harmonic).imag());
-    }
-    table.row(row);
+      values.push_back(series.amplitude(column, harmonic));
+    this->add_row(table, {static_cast<double>(harmonic), harmonic / series.period()}, values);
   }
+  table->flush();
+}
+
+template <int dim>
+bool PeriodicResponse<dim>::has_mean() const
+{
+  return std::any_of(spectra.begin(), spectra.end(),
+                     [](const std::vector<Complex> &row) { return row[0] != 0.; });
+}
+
+template <int dim>
+bool PeriodicResponse<dim>::keeps_fields() const
+{
+  return run.input.output.field_interval > 0.;
+}
+
+template <int dim>
+void PeriodicResponse<dim>::write_powers()
+{
+  const Problem &problem = run.input.problem;
+  std::vector<std::string> header = {"harmonic [1]", "frequency [Hz]", "given [W]"};
+  for (const std::string &region : problem.regions)
+    for (const char *kind : {"viscosity", "relaxation", "supports"})
+      header.push_back(region + ": " + kind + " [W]");
+  for (const unsigned int condition : system->ports())
+    header.push_back("taken behind " + problem.conditions[condition].name + " [W]");
+  header.emplace_back("residual [W]");
+  std::vector<std::vector<double>> rows;
+  double scale = 0., residual = 0.;
+  for (std::size_t k = 0; k < powers.size(); ++k)
+  {
+    const HarmonicPowers &of_harmonic = powers[k];
+    std::vector<double> row = {k + 1., (k + 1.) / run.input.periodic_state.period,
+                               of_harmonic.given()};
+    for (const HarmonicPower &region : of_harmonic.regions)
+      row.insert(row.end(), {region.viscosity, region.relaxation, region.supports});
+    row.insert(row.end(), of_harmonic.ports.begin(), of_harmonic.ports.end());
+    row.push_back(of_harmonic.given() - of_harmonic.taken());
+    scale += std::abs(of_harmonic.forces) + std::abs(of_harmonic.velocities) +
+             std::abs(of_harmonic.behind_ports) + std::abs(of_harmonic.taken());
+    residual += std::abs(row.back());
+    rows.push_back(row);
+  }
+  run.summary.add(
+      {"largest imbalance of mean powers", scale > 0. ? residual / scale : 0., "1", ""});
+  if (!run.is_writer)
+    return;
+  TableWriter table(run.directory.file("mean-power.csv"), header);
+  for (const std::vector<double> &row : rows)
+    table.row(row);
   table.flush();
+}
+
+template <int dim>
+void PeriodicResponse<dim>::write_period(const std::vector<WeightedSolution> &mean)
+{
+  const double period = run.input.periodic_state.period, interval = run.input.output.field_interval;
+  const auto n = static_cast<std::size_t>(std::max(1., std::round(period / interval)));
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    std::vector<WeightedSolution> parts = mean;
+    for (std::size_t k = 0; k < solutions.size(); ++k)
+      parts.push_back({solutions[k], std::polar(1., 2. * numbers::PI * (k + 1.) * j / n)});
+    system->show_sum(parts);
+    this->write_state(period * j / n);
+  }
+  this->finish_fields();
 }
 
 template <int dim>
 void PeriodicResponse<dim>::perform()
 {
-  run.initialise();
+  this->start();
   Case<dim> &input = run.input;
-  system = harmonic_system_of(run);
   {
     SectionTimer::Scope scope(run.log.timer(), "loads");
     take_loads();
@@ -367,6 +302,7 @@ void PeriodicResponse<dim>::perform()
   for (unsigned int column = 0; column < input.probes.n_columns(); ++column)
     options.is_compared.push_back(is_compared(column));
   std::unique_ptr<PeriodicSeries> series;
+  PeriodicMean<dim> mean(run, *system);
   {
     SectionTimer::Scope scope(run.log.timer(), "harmonics");
     // The mean is known well enough by the range about it.
@@ -391,11 +327,15 @@ void PeriodicResponse<dim>::perform()
       }
       ranges.push_back(most - least);
     }
-    known[0] = means(ranges);
+    if (has_mean())
+      known[0] = mean.find(load_of(0), ranges, options.is_compared);
     series = std::make_unique<PeriodicSeries>(input.periodic_state.period, harmonic, options);
   }
   write_history(*series);
   write_harmonics(*series);
+  write_powers();
+  if (keeps_fields())
+    write_period(mean.solutions());
   double largest_change = 0.;
   for (std::size_t column = 0; column < options.is_compared.size(); ++column)
     if (options.is_compared[column])
@@ -410,9 +350,8 @@ void PeriodicResponse<dim>::perform()
                     shortest_number(options.tolerance) + ": give more Most harmonics");
   run.summary.add({"harmonics", static_cast<double>(series->n_harmonics()), "1", ""});
   run.summary.add({"largest change by further harmonics", largest_change, "1", ""});
-  run.summary.add({"largest difference of the means", difference_of_means, "1", ""});
-  run.citations.add("mumps");
-  run.finish(0, input.periodic_state.period);
+  run.summary.add({"largest difference of the means", mean.difference(), "1", ""});
+  this->finish(input.periodic_state.period);
 }
 
 template class PeriodicResponse<2>;

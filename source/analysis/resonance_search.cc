@@ -1,5 +1,6 @@
 #include <continua/analysis/resonance_search.h>
 
+#include <continua/analysis/random_field.h>
 #include <continua/base/interruption.h>
 #include <continua/frequency/frequency_refinement.h>
 #include <continua/frequency/rational_approximation.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -41,6 +43,25 @@ constexpr double slack_of_candidates = 0.1;
 Complex point_of(const double frequency)
 {
   return 2. * numbers::PI * frequency * Complex(tilt_of_frequencies, 1.);
+}
+
+/// The longest side of the box round all places [m]. Collective.
+template <int dim>
+double extent(const std::vector<VelocityPlace<dim>> &places, const MPI_Comm communicator)
+{
+  double longest = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    double least = std::numeric_limits<double>::max(), most = -least;
+    for (const VelocityPlace<dim> &place : places)
+    {
+      least = std::min(least, place.point[d]);
+      most = std::max(most, place.point[d]);
+    }
+    longest = std::max(longest, Utilities::MPI::max(most, communicator) -
+                                    Utilities::MPI::min(least, communicator));
+  }
+  return longest;
 }
 } // namespace
 
@@ -137,18 +158,20 @@ template <int dim>
 void ResonanceSearch<dim>::make_loads()
 {
   const std::vector<bool> is_free = system.free_velocities();
-  // Other numbers on each rank; the same in each run.
-  std::mt19937_64 generator(1 + Utilities::MPI::this_mpi_process(communicator));
-  std::normal_distribution<double> normal;
+  const std::vector<VelocityPlace<dim>> places = system.velocity_places();
+  // The same in each run, and on any number of ranks.
+  std::mt19937_64 generator(1);
+  const double size_of_body = extent(places, communicator);
   std::vector<HarmonicLoad> rough;
   for (const std::vector<unsigned int> &nodes : system.velocity_nodes())
     for (unsigned int k = 0; k < parameters.loads_in_a_region; ++k)
     {
+      const RandomField<dim> field(generator, size_of_body);
       HarmonicLoad load;
       load.forces.assign(system.n_local_velocities(), 0.);
       for (const unsigned int node : nodes)
-        if (const double number = normal(generator); is_free[node])
-          load.forces[node] = number;
+        if (is_free[node])
+          load.forces[node] = field.value(places[node].point, places[node].component);
       rough.push_back(load);
     }
   const Complex middle(0., 2. * numbers::PI * std::sqrt(parameters.lowest * parameters.highest));
@@ -329,7 +352,20 @@ std::vector<Resonance> ResonanceSearch<dim>::find()
     stop_if_asked();
     Resonance resonance;
     resonance.s = candidate;
-    const bool converged = correct(resonance, all);
+    bool converged = false;
+    try
+    {
+      converged = correct(resonance, all);
+    }
+    catch (const Interrupted &)
+    {
+      throw;
+    }
+    catch (const RunError &error)
+    {
+      // Such as an s at which the tube behind an absorbing end has no wave.
+      log.detail(error.what());
+    }
     std::ostringstream text;
     text << "Candidate s = " << candidate.real() << " + " << candidate.imag() << " i 1/s: "
          << (!converged              ? "no resonance"

@@ -5,11 +5,8 @@
 #include <continua/base/collective.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
-#include <continua/base/table_writer.h>
 #include <continua/base/undefined.h>
-#include <continua/frequency/winding_number.h>
 #include <continua/linear_algebra/singular_matrix.h>
-#include <continua/postprocess/field_writer.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -33,6 +30,10 @@ constexpr double least_damping_ratio = 1e-9;
 /// its modes [rad].
 constexpr double angle_beyond_axis = 0.02;
 constexpr std::size_t most_evaluations = 600;
+/// Of what the tube behind an absorbing end answers to.
+constexpr double largest_ratio_of_ends = 0.93;
+/// The sector in which equal resonances are counted, over |s|, to either side.
+constexpr double widest_round_one = 1e-3;
 
 /// Makes the largest displacement a real one of 1 m. The first of equal ones counts, on the first
 /// rank that has one.
@@ -77,14 +78,15 @@ template <int dim>
 void Resonances<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   check_harmonic_body(input, root, "use Analysis = transient");
+  check_no_mean_pressure(input.problem, root, "use Analysis = transient");
   for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.type == BoundaryType::absorbing)
-      root.subsection("Boundaries")
-          .subsection(condition.name)
-          .refuse("Type",
-                  "the tube behind an absorbing end has no waves that die away in time, as a free "
-                  "motion does",
-                  "Use 'free', 'fixed', 'resistance' or 'windkessel'");
+    if (condition.type == BoundaryType::absorbing &&
+        input.resonances.largest_damping_ratio > largest_ratio_of_ends)
+      root.subsection("Resonances")
+          .refuse("Largest damping ratio",
+                  "the waves behind the absorbing end '" + condition.name +
+                      "' are known up to a damping ratio of 0.93",
+                  "Give 0.93 or less");
 }
 
 template <int dim>
@@ -102,9 +104,8 @@ void Resonances<dim>::name_quantities(const Case<dim> &, QuantityNames &names)
 template <int dim>
 void Resonances<dim>::perform()
 {
-  run.initialise();
+  this->start();
   Case<dim> &input = run.input;
-  system = harmonic_system_of(run);
   ResonanceSearch<dim> search(*system, input.resonances, unit_loads_of(input.problem, *system),
                               input.communicator, run.log);
   std::vector<Resonance> found;
@@ -126,28 +127,18 @@ void Resonances<dim>::perform()
     count(found);
   run.summary.set("frequencies", static_cast<double>(search.n_frequencies()));
   run.summary.set("candidates", static_cast<double>(search.n_candidates()));
-  run.citations.add("mumps");
   run.citations.add("aaa");
-  run.finish(0, 0.);
+  this->finish(0.);
 }
 
 template <int dim>
 void Resonances<dim>::write(std::vector<Resonance> &found)
 {
   Case<dim> &input = run.input;
-  std::vector<std::string> header = {
-      "resonance [1]",     "frequency [Hz]",     "natural frequency [Hz]",
-      "damping ratio [1]", "quality factor [1]", "Re s [1/s]",
-      "Im s [1/s]",        "residual [1]"};
-  for (const std::string &name : input.probes.column_names())
-    for (const char *const part : {"real ", "imaginary "})
-      header.push_back(part + name);
-  std::unique_ptr<TableWriter> table;
-  if (run.is_writer)
-    table = std::make_unique<TableWriter>(run.directory.file("resonances.csv"), header);
-  FieldWriter<dim> writer(input.communicator, run.directory.path(),
-                          input.output.subdivisions_for(input.discretisation.velocities_per_cell()),
-                          input.output.higher_order_cells, input.output.files_per_state);
+  const std::unique_ptr<TableWriter> table = this->complex_table(
+      "resonances.csv",
+      {"resonance [1]", "frequency [Hz]", "natural frequency [Hz]", "damping ratio [1]",
+       "quality factor [1]", "Re s [1/s]", "Im s [1/s]", "residual [1]"});
   double largest_residual = 0.;
   std::vector<std::string> texts;
   for (std::size_t k = 0; k < found.size(); ++k)
@@ -156,27 +147,13 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
     normalise(resonance.shape, input.communicator);
     largest_residual = std::max(largest_residual, resonance.residual);
     const bool is_damped = std::abs(resonance.damping_ratio()) > least_damping_ratio;
-    std::vector<double> row = {k + 1.,
-                               resonance.frequency(),
-                               resonance.natural_frequency(),
-                               resonance.damping_ratio(),
-                               is_damped ? resonance.quality_factor() : undefined,
-                               resonance.s.real(),
-                               resonance.s.imag(),
-                               resonance.residual};
-    for (const Complex &value : probe_values(*system, input.probes, resonance.shape))
-    {
-      row.push_back(value.real());
-      row.push_back(value.imag());
-    }
-    if (table)
-      table->row(row);
+    this->add_row(table,
+                  {k + 1., resonance.frequency(), resonance.natural_frequency(),
+                   resonance.damping_ratio(), is_damped ? resonance.quality_factor() : undefined,
+                   resonance.s.real(), resonance.s.imag(), resonance.residual},
+                  probe_values(*system, input.probes, resonance.shape));
     if (input.output.final_fields)
-      for (const bool is_imaginary : {false, true})
-      {
-        system->show(resonance.shape, is_imaginary ? Complex(0., -1.) : Complex(1.));
-        writer.write(*run.solver, k + (is_imaginary ? 1.5 : 1.));
-      }
+      this->write_fields(resonance.shape, k + 1.);
     std::ostringstream text;
     text.precision(5);
     text << "Resonance " << k + 1 << ": " << resonance.frequency() << " Hz, ";
@@ -200,18 +177,15 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
   }
   if (table)
     table->flush();
-  if (input.output.final_fields)
-    writer.finish(run.summary);
+  this->finish_fields();
   run.summary.set("resonances", texts);
   run.summary.add({"resonances", static_cast<double>(found.size()), "1", ""});
   run.summary.add({"largest residual", largest_residual, "1", ""});
 }
 
 template <int dim>
-void Resonances<dim>::count(const std::vector<Resonance> &found)
+WindingNumber Resonances<dim>::turns_round(const PlaneSector &sector)
 {
-  const ResonanceParameters &parameters = run.input.resonances;
-  SectionTimer::Scope scope(run.log.timer(), "count");
   const auto logarithm = [this](const Complex s)
   {
     SignalWatch::stop_if_asked(run.input.communicator,
@@ -227,11 +201,31 @@ void Resonances<dim>::count(const std::vector<Resonance> &found)
     }
     return system->determinant().logarithm;
   };
-  const PlaneSector band = {2. * numbers::PI * parameters.lowest,
-                            2. * numbers::PI * parameters.highest,
-                            0.5 * numbers::PI - angle_beyond_axis,
-                            0.5 * numbers::PI + std::asin(parameters.largest_damping_ratio)};
-  const WindingNumber winding = winding_number(logarithm, band, most_evaluations);
+  return winding_number(logarithm, sector, most_evaluations);
+}
+
+template <int dim>
+int Resonances<dim>::multiplicity(const std::vector<Resonance> &found, const std::size_t number)
+{
+  const Complex s = found[number].s;
+  double width = widest_round_one;
+  for (std::size_t other = 0; other < found.size(); ++other)
+    if (other != number)
+      width = std::min(width, 0.3 * std::abs(found[other].s / s - 1.));
+  const WindingNumber turns = turns_round({std::abs(s) * (1. - width), std::abs(s) * (1. + width),
+                                           std::arg(s) - width, std::arg(s) + width});
+  return turns.is_known ? std::max(1, turns.number) : 1;
+}
+
+template <int dim>
+void Resonances<dim>::count(const std::vector<Resonance> &found)
+{
+  const ResonanceParameters &parameters = run.input.resonances;
+  SectionTimer::Scope scope(run.log.timer(), "count");
+  const WindingNumber winding =
+      turns_round({2. * numbers::PI * parameters.lowest, 2. * numbers::PI * parameters.highest,
+                   0.5 * numbers::PI - angle_beyond_axis,
+                   0.5 * numbers::PI + std::asin(parameters.largest_damping_ratio)});
   if (!winding.is_known)
   {
     run.log.warning(
@@ -244,15 +238,30 @@ void Resonances<dim>::count(const std::vector<Resonance> &found)
   run.log.line("By the winding of the determinant: " + std::to_string(winding.number));
   run.log.detail("The winding took " + std::to_string(winding.n_evaluations) + " factors");
   run.summary.add({"resonances by winding", static_cast<double>(winding.number), "1", ""});
-  if (winding.number != static_cast<int>(found.size()))
-    run.log.warning("the band has " + std::to_string(winding.number) +
-                    " resonances by the winding of the determinant, and " +
-                    std::to_string(found.size()) + " were found: " +
-                    (winding.number > static_cast<int>(found.size())
-                         ? "some are missing, or are equal to others by symmetry. Give more "
-                           "Resonances/Loads in a region, or a smaller Tolerance"
-                         : "the determinant has poles in the band, such as those of an absorbing "
-                           "end"));
+  const int n_found = static_cast<int>(found.size());
+  const std::string numbers_of_both = "the band has " + std::to_string(winding.number) +
+                                      " resonances by the winding of the determinant, and " +
+                                      std::to_string(n_found) + " were found: ";
+  if (winding.number < n_found)
+    run.log.warning(numbers_of_both +
+                    "the determinant has poles in the band, such as those of an absorbing end");
+  if (winding.number <= n_found)
+    return;
+  // The symmetry of a body may make several of them equal.
+  int n_with_equals = 0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    const int n_equal = multiplicity(found, k);
+    n_with_equals += n_equal;
+    if (n_equal > 1)
+      run.log.line("Resonance " + std::to_string(k + 1) + " stands for " + std::to_string(n_equal) +
+                   " equal ones");
+  }
+  if (winding.number > n_with_equals)
+    throw RunError(numbers_of_both + std::to_string(winding.number - n_with_equals) +
+                   " are missing. resonances.csv keeps those that were found. Give more "
+                   "Resonances/Loads in a region, a smaller Tolerance or a narrower band; or set "
+                   "Count = false to take them without a count.");
 }
 
 template class Resonances<2>;

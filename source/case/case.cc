@@ -191,6 +191,11 @@ void Case<dim>::read_analysis(ParameterSection root)
       time.read(root.subsection("Time"));
       periodic_state.read(root.subsection("Periodic state"));
     }
+    else if (analysis.name == "pulse response")
+    {
+      pulse_response.read(root.subsection("Pulse response"));
+      time.read(root.subsection("Time"));
+    }
   }
   else
     rest.read(root.subsection("Steady"), problem.is_nonlinear());

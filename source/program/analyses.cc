@@ -5,6 +5,7 @@
 #include <continua/analysis/linear_wave_theory.h>
 #include <continua/analysis/modal.h>
 #include <continua/analysis/periodic_response.h>
+#include <continua/analysis/pulse_response.h>
 #include <continua/analysis/resonances.h>
 #include <continua/analysis/steady.h>
 #include <continua/analysis/transient.h>
@@ -78,6 +79,18 @@ AnalysisRow row_of_periodic_response()
   return row;
 }
 
+/// The row of the pulse response, likewise.
+AnalysisRow row_of_pulse_response()
+{
+  AnalysisRow row = row_of_case<PulseResponse>(
+      "pulse response",
+      "Motion of a linear body from rest under loads that vary in time, without steps in time.",
+      {"Pulse response", "Time"}, Motion::harmonic, true, false);
+  row.traits_2d.name_others = &Transient<2>::name_quantities;
+  row.traits_3d.name_others = &Transient<3>::name_quantities;
+  return row;
+}
+
 /// The row of the theory, which passes over what Expected says of a run of the same file.
 AnalysisRow row_of_theory()
 {
@@ -115,7 +128,7 @@ const AnalysisTable &analyses()
                                "Frequencies, damping and shapes of the free motions of solids and "
                                "liquids together.",
                                {"Resonances"}, Motion::harmonic, true, false),
-       row_of_periodic_response(), row_of_theory(),
+       row_of_periodic_response(), row_of_pulse_response(), row_of_theory(),
        row_of_study<Comparison, ComparisonParameters>(
            "comparison",
            "The same case by both discretisations on several meshes: orders, limits and whether "

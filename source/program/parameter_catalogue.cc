@@ -243,6 +243,13 @@ std::vector<Source> sources()
        { PeriodicResponseParameters().read(root.subsection("Periodic response")); },
        "",
        {}},
+      {"Pulse response",
+       "How closely the loads of a pulse are followed.",
+       {},
+       [](Root &root, const General &)
+       { PulseResponseParameters().read(root.subsection("Pulse response")); },
+       "",
+       {}},
       {"Comparison",
        "By which two ways a case is computed, on which meshes, and what counts as agreement.",
        {"Comparison/Expected/<quantity>=1 +- 1 %"},

@@ -34,6 +34,10 @@ public:
     return {{0, 1}, {2, 3}};
   }
   std::vector<bool> free_velocities() const override { return std::vector<bool>(n, true); }
+  std::vector<VelocityPlace<2>> velocity_places() const override
+  {
+    return {{{0., 0.}, 0}, {{0., 0.}, 1}, {{1., 0.}, 0}, {{1., 0.}, 1}};
+  }
 
   std::vector<HarmonicLoadSource> sources() const override
   {
@@ -112,7 +116,7 @@ public:
       for (unsigned int j = 0; j < n; ++j)
         forces[i] += a(i, j) * solution.displacement[j];
   }
-  void show(const HarmonicSolution &, Complex) override {}
+  void show_sum(const std::vector<WeightedSolution> &) override {}
   HarmonicPowers powers(const HarmonicSolution &, const HarmonicLoad &) override { return {}; }
   Complex power_of(const HarmonicLoad &, const HarmonicSolution &, const HarmonicLoad &) override
   {

@@ -1,7 +1,7 @@
 // Motion exp(s t) obeys the equations of the body with those of its outlets, at hanging nodes, with
 // prescribed velocities, for any s and on any number of ranks; the determinant is that of these
 // equations. Products and matrix share the coefficients and the impedances of the ports, so that
-// their values are not tested here, but by the closed forms of tests/tiny_runs/harmonic_*.
+// their values are not tested here, but by harmonic_closed_forms.cc and tests/tiny_runs/harmonic_*.
 
 #include <continua/base/input_error.h>
 #include <continua/base/undefined.h>
@@ -211,6 +211,16 @@ UNIT_TEST(taylor_hood_harmonic)
                              : left.find("pressure") != std::string::npos ? "pressure"
                                                                           : "velocity";
     Body tested(left);
+    // The mesh is as far on one side of x = 1 as on the other.
+    double moment = 0., n_beyond = 0.;
+    for (const VelocityPlace<2> &place : tested.system->velocity_places())
+    {
+      moment += place.point[0] - 1.;
+      n_beyond += place.point[0] > 1. + 1e-9 && place.component == 1 ? 1. : 0.;
+    }
+    check::absolute(name + ": places", Utilities::MPI::sum(moment, MPI_COMM_WORLD), 0., 1e-12);
+    check::is_true(name + ": places beyond the middle",
+                   Utilities::MPI::sum(n_beyond, MPI_COMM_WORLD) > 10.);
     const HarmonicLoad load = all_loads(tested);
     HarmonicLoad twice;
     twice.add({0., 2.}, load);

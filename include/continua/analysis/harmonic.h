@@ -1,13 +1,14 @@
 #ifndef continua_analysis_harmonic_h
 #define continua_analysis_harmonic_h
 
+#include <continua/analysis/frequency_analysis.h>
 #include <continua/analysis/harmonic_tables.h>
 #include <continua/analysis/run.h>
 #include <continua/continuum/harmonic_system.h>
 #include <continua/frequency/frequency_refinement.h>
-#include <continua/postprocess/field_writer.h>
 
 #include <complex>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,12 +23,10 @@ namespace Continua
  * imaginary parts half a number behind.
  */
 template <int dim>
-class Harmonic
+class Harmonic : private FrequencyAnalysis<dim>
 {
 public:
-  using Complex = std::complex<double>;
-
-  explicit Harmonic(Run<dim> &run) : run(run) {}
+  explicit Harmonic(Run<dim> &run) : FrequencyAnalysis<dim>(run) {}
   void perform();
 
   /// Only what is linear, with loads that are amplitudes. Throws InputError.
@@ -35,19 +34,27 @@ public:
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
-  Run<dim> &run;
-  std::unique_ptr<HarmonicSystem<dim>> system;
+  using Complex = std::complex<double>;
+  using FrequencyAnalysis<dim>::run;
+  using FrequencyAnalysis<dim>::system;
   std::vector<NamedLoad> loads; ///< with their phases
   HarmonicLoad total;
   std::unique_ptr<HarmonicTables<dim>> tables;
-  std::unique_ptr<FieldWriter<dim>> writer;
+  std::unique_ptr<FrequencyRefinement> refinement;
+  std::map<double, HarmonicSolution> known; ///< of a refined range, by frequency [Hz]
 
   void take_loads();
   /// At given frequencies, one after the other.
   void solve_range();
-  /// At as many as the responses of the probes need; then the frequencies are these, too.
+  /// At as many as the responses of the probes need; then the frequencies are these, too. What was
+  /// computed before an error or an interruption is recorded.
   void solve_refined_range();
-  void write_interpolated(const FrequencyRefinement &refinement) const;
+  void refine();
+  /// Values of the probes at each of the frequencies, which are known then. Throws Interrupted.
+  std::vector<std::vector<Complex>> solve_further(const std::vector<double> &frequencies);
+  /// In increasing order.
+  void record_known();
+  void write_interpolated() const;
   /// For an error: what was computed before it.
   std::string rows_kept() const;
   /// Of one frequency, by its number.

@@ -17,6 +17,14 @@ namespace Continua
 template <int dim>
 void check_harmonic_body(const Case<dim> &input, ParameterSection root, const std::string &remedy);
 
+/// Refuses the mean pressure of an absorbing end, about which waves would go.
+void check_no_mean_pressure(const Problem &problem,
+                            ParameterSection root,
+                            const std::string &remedy);
+/// Refuses what belongs to a state that is not there: beside the mean pressure of an absorbing end
+/// the initial pressure of a windkessel.
+void check_no_states(const Problem &problem, ParameterSection root, const std::string &remedy);
+
 /// The system of a run that was initialised, its solver named in log.txt. Throws RunError where the
 /// discretisation has none, which check_harmonic_body() refuses before.
 template <int dim>

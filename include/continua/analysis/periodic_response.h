@@ -1,6 +1,7 @@
 #ifndef continua_analysis_periodic_response_h
 #define continua_analysis_periodic_response_h
 
+#include <continua/analysis/frequency_analysis.h>
 #include <continua/analysis/load_samples.h>
 #include <continua/analysis/run.h>
 #include <continua/frequency/periodic_series.h>
@@ -15,15 +16,14 @@ namespace Continua
  * The state that a linear body under periodic loads reaches after many periods, without steps in
  * time: the sum of the responses to the harmonics of the loads, as many as the probes of the
  * section Periodic state need (PeriodicSeries). Harmonic 0 is the mean. probes.csv has the rows of
- * a run in time over one period, beats.csv its row of a settled beat, harmonics.csv the amplitudes.
+ * a run in time over one period, beats.csv its row of a settled beat, harmonics.csv the amplitudes,
+ * mean-power.csv the mean powers of each harmonic. fields.pvd has the motion over one period.
  */
 template <int dim>
-class PeriodicResponse
+class PeriodicResponse : private FrequencyAnalysis<dim>
 {
 public:
-  using Complex = std::complex<double>;
-
-  explicit PeriodicResponse(Run<dim> &run) : run(run) {}
+  explicit PeriodicResponse(Run<dim> &run) : FrequencyAnalysis<dim>(run) {}
   void perform();
 
   /// What is linear, under loads that repeat themselves. Throws InputError.
@@ -31,24 +31,29 @@ public:
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
-  Run<dim> &run;
-  std::unique_ptr<HarmonicSystem<dim>> system;
+  using Complex = std::complex<double>;
+  using FrequencyAnalysis<dim>::run;
+  using FrequencyAnalysis<dim>::system;
   std::unique_ptr<LoadSamples<dim>> loads;
   std::vector<std::vector<Complex>> spectra; ///< by shape of the loads, by harmonic
   std::vector<double>
       load_sizes; ///< by harmonic: the sum over the shapes, each over its largest value
-  /// Of two means of a compared probe, over its range or its mean [1].
-  double difference_of_means = 0.;
+  std::vector<HarmonicPowers> powers;      ///< by harmonic, from 1
+  std::vector<HarmonicSolution> solutions; ///< likewise, where fields are written
 
   void take_loads();
   HarmonicLoad load_of(unsigned int harmonic) const;
   bool is_compared(unsigned int column) const;
   /// Of each column of the probes, from harmonic 1.
   std::vector<Complex> amplitudes(unsigned int harmonic);
-  /// `ranges`: of each column over the period. Throws RunError for a mean that is not known.
-  std::vector<Complex> means(const std::vector<double> &ranges);
+  bool has_mean() const;
+  bool keeps_fields() const;
   void write_history(const PeriodicSeries &series);
   void write_harmonics(const PeriodicSeries &series);
+  /// Mean powers of the harmonics; those of the mean are not among them.
+  void write_powers();
+  /// Fields over one period, at Output/Field interval.
+  void write_period(const std::vector<WeightedSolution> &mean);
 };
 } // namespace Continua
 

@@ -1,11 +1,12 @@
 #ifndef continua_analysis_resonances_h
 #define continua_analysis_resonances_h
 
+#include <continua/analysis/frequency_analysis.h>
 #include <continua/analysis/resonance_search.h>
 #include <continua/analysis/run.h>
+#include <continua/frequency/winding_number.h>
 
-#include <complex>
-#include <memory>
+#include <cstddef>
 #include <vector>
 
 namespace Continua
@@ -17,10 +18,10 @@ namespace Continua
  * under the resonances' numbers, and the imaginary parts half a number behind.
  */
 template <int dim>
-class Resonances
+class Resonances : private FrequencyAnalysis<dim>
 {
 public:
-  explicit Resonances(Run<dim> &run) : run(run) {}
+  explicit Resonances(Run<dim> &run) : FrequencyAnalysis<dim>(run) {}
   void perform();
 
   /// What is linear. Throws InputError.
@@ -28,11 +29,16 @@ public:
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
-  Run<dim> &run;
-  std::unique_ptr<HarmonicSystem<dim>> system;
+  using FrequencyAnalysis<dim>::run;
+  using FrequencyAnalysis<dim>::system;
 
   void write(std::vector<Resonance> &found);
-  /// The number by the winding of the determinant, and a warning where it is another one.
+  /// Of the determinant, as s goes once round a sector.
+  WindingNumber turns_round(const PlaneSector &sector);
+  /// How many resonances are equal to one of those that were found.
+  int multiplicity(const std::vector<Resonance> &found, std::size_t number);
+  /// The number by the winding of the determinant. Throws RunError if resonances are missing; a
+  /// warning says if there are fewer.
   void count(const std::vector<Resonance> &found);
 };
 } // namespace Continua

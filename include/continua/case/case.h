@@ -13,6 +13,7 @@
 #include <continua/case/periodic_response_parameters.h>
 #include <continua/case/periodic_state_parameters.h>
 #include <continua/case/power_laws.h>
+#include <continua/case/pulse_response_parameters.h>
 #include <continua/case/resonance_parameters.h>
 #include <continua/case/theory/absorbing_ends.h>
 #include <continua/case/wave_theory_parameters.h>
@@ -139,6 +140,7 @@ struct Case
   HarmonicParameters harmonic; ///< of a harmonic analysis
   ResonanceParameters resonances;
   PeriodicResponseParameters periodic_response;
+  PulseResponseParameters pulse_response;
 
 private:
   /// The (boundary, region) pairs that the coarse mesh has.

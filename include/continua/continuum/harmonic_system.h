@@ -1,6 +1,8 @@
 #ifndef continua_continuum_harmonic_system_h
 #define continua_continuum_harmonic_system_h
 
+#include <deal.II/base/point.h>
+
 #include <complex>
 #include <functional>
 #include <string>
@@ -35,6 +37,13 @@ struct HarmonicSolution
   void add(Complex factor, const HarmonicSolution &other);
 };
 
+/// One part of a sum of motions, with the number that it is multiplied by.
+struct WeightedSolution
+{
+  HarmonicSolution solution;
+  std::complex<double> factor;
+};
+
 /// What the entries of the file say of a load: all that acts on one boundary, or in the body.
 struct HarmonicLoadSource
 {
@@ -47,6 +56,14 @@ struct HarmonicLoadSource
 struct HarmonicDeterminant
 {
   std::complex<double> logarithm; ///< its imaginary part up to multiples of 2 pi
+};
+
+/// Where an entry of the velocity is.
+template <int dim>
+struct VelocityPlace
+{
+  dealii::Point<dim> point; ///< of its node [m]
+  unsigned int component = 0;
 };
 
 /// Mean powers over a period of a harmonic motion s = i omega [W].
@@ -98,6 +115,8 @@ public:
   /// prescribed nor hanging.
   virtual std::vector<std::vector<unsigned int>> velocity_nodes() const = 0;
   virtual std::vector<bool> free_velocities() const = 0;
+  /// By local index.
+  virtual std::vector<VelocityPlace<dim>> velocity_places() const = 0;
 
   /// The loads of the file, in its order.
   virtual std::vector<HarmonicLoadSource> sources() const = 0;
@@ -139,7 +158,9 @@ public:
   /// Makes the real part of factor times the solution the state of the solver: its probes, fields
   /// and energies are then those. A factor exp(i phi) shows the motion at the phase phi, and -i the
   /// imaginary part.
-  virtual void show(const HarmonicSolution &solution, Complex factor) = 0;
+  void show(const HarmonicSolution &solution, Complex factor) { show_sum({{solution, factor}}); }
+  /// The same of a sum of motions with different s.
+  virtual void show_sum(const std::vector<WeightedSolution> &parts) = 0;
   /// Of a solution at s = i omega under its load.
   virtual HarmonicPowers powers(const HarmonicSolution &solution, const HarmonicLoad &load) = 0;
   /// Half of force times conjugate velocity of a part of the load [W]: the real part is the mean
