@@ -74,8 +74,8 @@ UNIT_TEST(analyses)
       "modal\\.$");
   check::throws<InputError>(
       "a section of several", []() { make(solid_box("set Analysis = steady\n" + section_time)); },
-      "'Time': Analysis = steady does not read.*transient or periodic response or linear wave "
-      "theory or material\\.$");
+      "'Time': Analysis = steady does not read.*transient or periodic response or pulse response "
+      "or linear wave theory or material\\.$");
   check::throws<InputError>(
       "a study of what has no case",
       []() { make("set Analysis = spin coating\nsubsection Comparison\nset Runs = a\nend\n"); },
