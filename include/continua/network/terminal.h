@@ -86,7 +86,8 @@ private:
     double source, resistance, of_outflow;
   };
   Behind behind(bool at_end_of_step, double step) const;
-  double area_with_heart(bool at_end_of_step, double time, double step) const;
+  /// Sets valve_is_open, too.
+  double area_with_heart(bool at_end_of_step, double time, double step);
   double area_with(double time, double source, double resistance) const;
 };
 } // namespace Continua
