@@ -227,7 +227,12 @@ std::vector<RunResult> RunSeries::perform(const std::vector<PlannedRun> &plans,
     RunPool(n_parallel)
         .perform(to_perform, begin,
                  [&](const unsigned int i, const std::string &failure)
-                 { end_in_folder(numbers[i], failure); });
+                 { end_in_folder(numbers[i], failure); },
+                 [&](const unsigned int i, const std::string &failure)
+                 {
+                   log.warning(to_perform[i].name +
+                               " is tried again, alone, when the others have ended: " + failure);
+                 });
   else
     for (unsigned int i = 0; i < to_perform.size(); ++i)
     {
