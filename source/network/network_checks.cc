@@ -65,6 +65,29 @@ void NetworkParameters::check(ParameterSection section)
   check_times(section);
 }
 
+void NetworkParameters::check_materials(const ParameterSection &section,
+                                        ParameterSection materials) const
+{
+  for (const std::string &name : materials.subsections())
+    if (std::none_of(vessels.begin(), vessels.end(),
+                     [&](const VesselEntries &vessel) { return vessel.material == name; }))
+      materials.subsection(name).refuse(
+          "", "no vessel has this material",
+          "Remove the subsection; the liquid has its entries in the section Network");
+  if (vessels.empty() || std::any_of(vessels.begin(), vessels.end(), [](const VesselEntries &vessel)
+                                     { return vessel.material.empty(); }))
+    return;
+  // By the values, since --print-parameters writes the defaults.
+  const std::string problem = "has no effect: each vessel has a Material",
+                    remedy = "Remove the entry, and describe it in the materials";
+  if (relaxation.damping_time > 0.)
+    section.refuse("Damping time", problem, remedy);
+  if (!relaxation.branches.empty())
+    section.refuse("Relative moduli", problem, remedy);
+  if (poissons_ratio != NetworkParameters().poissons_ratio)
+    section.refuse("Poisson's ratio", problem, remedy);
+}
+
 void NetworkParameters::check_ends()
 {
   std::vector<unsigned int> n_ends(nodes.size(), 0);
