@@ -1,5 +1,6 @@
 #include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
+#include <continua/base/six_digits.h>
 #include <continua/base/units.h>
 #include <continua/network/network_parameters.h>
 
@@ -14,6 +15,7 @@ namespace
 constexpr double tolerance_of_heights = 1e-9;
 constexpr double most_cells = 1e6;     ///< of a vessel
 constexpr double most_intervals = 1e7; ///< of a beat, or of the run
+constexpr unsigned int n_samples = 1000; ///< of an elastance, in the same time
 
 /// A remedy for a name that nothing has.
 std::string
@@ -213,5 +215,14 @@ void NetworkParameters::check_times(const ParameterSection &section)
                          " s after which the table of the terminal '" + terminal.node +
                          "' repeats itself",
                      "Correct it, or the 'Table period' of the terminal");
+  for (const TerminalEntries &terminal : terminals)
+    for (unsigned int i = 0; terminal.law.type == TerminalLaw::Type::heart && i <= n_samples; ++i)
+    {
+      const double time = i * whole / n_samples, elastance = terminal.law.value(time);
+      if (!(elastance > 0.))
+        terminal.refuse("its Elastance is " + six_digits(elastance) + " Pa/m^3 at " +
+                            six_digits(time) + " s",
+                        "Write a function that is positive at all times");
+    }
 }
 } // namespace Continua
