@@ -112,6 +112,11 @@ void Identification::read_tests()
   std::vector<MaterialTest> made;
   for (const MaterialTest &test : parameters.tests)
   {
+    if (std::find(probes.begin(), probes.end(), test.name) != probes.end())
+      section()
+          .subsection("Material tests")
+          .subsection(test.name)
+          .refuse("", "a probe is called the same", "Rename one of them");
     if (!materials.has_subsection(test.material))
       section()
           .subsection("Material tests")
