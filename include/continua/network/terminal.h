@@ -57,7 +57,7 @@ public:
   double solve(bool at_end_of_step, double time, double step);
   /// The law for the implicit stage of a memory, linear: `of_flow` times the flow rate out of the
   /// network, and `of_pressure` times the pressure, are together `right`; of the pressure of the
-  /// memory only the share counts.
+  /// memory only `memory_share` counts.
   struct LinearLaw
   {
     double of_flow, of_pressure, right, memory_share;
