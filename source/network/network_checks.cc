@@ -13,8 +13,8 @@ namespace
 {
 /// Of heights that close a loop, relative to the sum of the rises.
 constexpr double tolerance_of_heights = 1e-9;
-constexpr double most_cells = 1e6;     ///< of a vessel
-constexpr double most_intervals = 1e7; ///< of a beat, or of the run
+constexpr double most_cells = 1e6;       ///< of a vessel
+constexpr double most_intervals = 1e7;   ///< of a beat, or of the run
 constexpr unsigned int n_samples = 1000; ///< of an elastance, in the same time
 
 /// A remedy for a name that nothing has.
@@ -76,8 +76,9 @@ void NetworkParameters::check_materials(const ParameterSection &section,
       materials.subsection(name).refuse(
           "", "no vessel has this material",
           "Remove the subsection; the liquid has its entries in the section Network");
-  if (vessels.empty() || std::any_of(vessels.begin(), vessels.end(), [](const VesselEntries &vessel)
-                                     { return vessel.material.empty(); }))
+  if (vessels.empty() ||
+      std::any_of(vessels.begin(), vessels.end(),
+                  [](const VesselEntries &vessel) { return vessel.material.empty(); }))
     return;
   // By the values, since --print-parameters writes the defaults.
   const std::string problem = "has no effect: each vessel has a Material",

@@ -204,8 +204,9 @@ void RunPool::perform(const std::vector<PlannedRun> &plans,
                  CommandLine &command_line = again.back().command_line;
                  // What it has kept is not computed again; but the checkpoint in a folder that it
                  // was to empty may be of another run.
-                 command_line.restart = !command_line.overwrite &&
-                                        OutputDirectory::has_checkpoint(command_line.output_directory);
+                 command_line.restart =
+                     !command_line.overwrite &&
+                     OutputDirectory::has_checkpoint(command_line.output_directory);
                  command_line.overwrite = !command_line.restart;
                  numbers.push_back(number);
                });

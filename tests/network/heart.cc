@@ -153,8 +153,7 @@ void check_closed_valve()
     const auto compare = [&](double Vessel::Values::*const field)
     {
       largest.*field = std::fmax(largest.*field, std::abs(exact.*field));
-      difference.*field =
-          std::fmax(difference.*field, std::abs(values.*field - exact.*field));
+      difference.*field = std::fmax(difference.*field, std::abs(values.*field - exact.*field));
     };
     compare(&Vessel::Values::pressure);
     compare(&Vessel::Values::flow);

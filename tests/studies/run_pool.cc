@@ -158,8 +158,8 @@ UNIT_TEST(run_pool)
     return second;
   };
   std::string second = arguments_of_second_try(false);
-  check::is_true("a second try from a checkpoint", check::matches(second, "--restart") &&
-                                                       !check::matches(second, "--overwrite"));
+  check::is_true("a second try from a checkpoint",
+                 check::matches(second, "--restart") && !check::matches(second, "--overwrite"));
   second = arguments_of_second_try(true);
   check::is_true("a second try in a folder of another run",
                  check::matches(second, "--overwrite") && !check::matches(second, "--restart"));
