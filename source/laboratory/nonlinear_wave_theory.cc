@@ -56,7 +56,7 @@ NonlinearWaveTheory::NonlinearWaveTheory(const AnalysisInput &input) : Analysis(
   if (general.discretisation != GeneralParameters().discretisation)
     root.refuse("Discretisation", "a network has finite volumes along its vessels", "Remove it");
   parameters.read(section);
-  parameters.read_materials(root.subsection("Materials"));
+  parameters.read_materials(section, root.subsection("Materials"));
   expected = read_expected(root.subsection("Expected"));
   file.refuse_unknown();
   parameters.check(section);

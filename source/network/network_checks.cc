@@ -1,5 +1,6 @@
 #include <continua/base/joined.h>
 #include <continua/base/nearest_name.h>
+#include <continua/base/six_digits.h>
 #include <continua/base/units.h>
 #include <continua/network/network_parameters.h>
 
@@ -12,8 +13,9 @@ namespace
 {
 /// Of heights that close a loop, relative to the sum of the rises.
 constexpr double tolerance_of_heights = 1e-9;
-constexpr double most_cells = 1e6;     ///< of a vessel
-constexpr double most_intervals = 1e7; ///< of a beat, or of the run
+constexpr double most_cells = 1e6;       ///< of a vessel
+constexpr double most_intervals = 1e7;   ///< of a beat, or of the run
+constexpr unsigned int n_samples = 1000; ///< of an elastance, in the same time
 
 /// A remedy for a name that nothing has.
 std::string
@@ -63,6 +65,30 @@ void NetworkParameters::check(ParameterSection section)
   set_heights();
   check_stations(section);
   check_times(section);
+}
+
+void NetworkParameters::check_materials(const ParameterSection &section,
+                                        ParameterSection materials) const
+{
+  for (const std::string &name : materials.subsections())
+    if (std::none_of(vessels.begin(), vessels.end(),
+                     [&](const VesselEntries &vessel) { return vessel.material == name; }))
+      materials.subsection(name).refuse(
+          "", "no vessel has this material",
+          "Remove the subsection; the liquid has its entries in the section Network");
+  if (vessels.empty() ||
+      std::any_of(vessels.begin(), vessels.end(),
+                  [](const VesselEntries &vessel) { return vessel.material.empty(); }))
+    return;
+  // By the values, since --print-parameters writes the defaults.
+  const std::string problem = "has no effect: each vessel has a Material",
+                    remedy = "Remove the entry, and describe it in the materials";
+  if (relaxation.damping_time > 0.)
+    section.refuse("Damping time", problem, remedy);
+  if (!relaxation.branches.empty())
+    section.refuse("Relative moduli", problem, remedy);
+  if (poissons_ratio != NetworkParameters().poissons_ratio)
+    section.refuse("Poisson's ratio", problem, remedy);
 }
 
 void NetworkParameters::check_ends()
@@ -190,5 +216,14 @@ void NetworkParameters::check_times(const ParameterSection &section)
                          " s after which the table of the terminal '" + terminal.node +
                          "' repeats itself",
                      "Correct it, or the 'Table period' of the terminal");
+  for (const TerminalEntries &terminal : terminals)
+    for (unsigned int i = 0; terminal.law.type == TerminalLaw::Type::heart && i <= n_samples; ++i)
+    {
+      const double time = i * whole / n_samples, elastance = terminal.law.value(time);
+      if (!(elastance > 0.))
+        terminal.refuse("its Elastance is " + six_digits(elastance) + " Pa/m^3 at " +
+                            six_digits(time) + " s",
+                        "Write a function that is positive at all times");
+    }
 }
 } // namespace Continua

@@ -165,7 +165,7 @@ void NetworkParameters::read(ParameterSection section)
   }
 }
 
-void NetworkParameters::read_materials(ParameterSection materials)
+void NetworkParameters::read_materials(const ParameterSection &section, ParameterSection materials)
 {
   const std::vector<std::string> names = materials.subsections();
   for (VesselEntries &vessel : vessels)
@@ -195,6 +195,7 @@ void NetworkParameters::read_materials(ParameterSection materials)
           "shear)");
     }
   }
+  check_materials(section, materials);
 }
 
 unsigned int NetworkParameters::n_cells(const VesselEntries &vessel) const

@@ -109,8 +109,7 @@ double Terminal::area_with(const double time, const double source, const double 
   }
 }
 
-double
-Terminal::area_with_heart(const bool at_end_of_step, const double time, const double step) const
+double Terminal::area_with_heart(const bool at_end_of_step, const double time, const double step)
 {
   const double start = wave.inside().area,
                closed = find_area(start,
@@ -119,7 +118,9 @@ Terminal::area_with_heart(const bool at_end_of_step, const double time, const do
                                     const EndWave::Values values = wave.at_area(area);
                                     return std::make_pair(values.inflow, values.inflow_slope);
                                   });
-  if (!heart.is_open(at_end_of_step, time, step, wave.at_area(closed).pressure))
+  // By the pressures: the flow rate of a closed valve is zero only up to round-off, of either sign.
+  valve_is_open = heart.is_open(at_end_of_step, time, step, wave.at_area(closed).pressure);
+  if (!valve_is_open)
     return closed;
   return find_area(
       closed,
@@ -202,10 +203,7 @@ double Terminal::solve(const bool at_end_of_step, const double time, const doubl
   const EndWave::Values values = wave.at_area(area);
   const double outflow = values.inflow;
   if (law.type == TerminalLaw::Type::heart)
-  {
-    heart.take(at_end_of_step, time, step, -outflow);
-    valve_is_open = outflow < 0.;
-  }
+    heart.take(at_end_of_step, time, step, valve_is_open ? -outflow : 0.);
   last_outflow = outflow;
   last_pressure = values.pressure - 0.5 * wave.of().memory_pressure(wave.at());
   if (at_end_of_step)

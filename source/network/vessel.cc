@@ -95,6 +95,7 @@ void Vessel::begin_step()
   if (past)
     past->begin_step();
 }
+
 void Vessel::begin_memory_stage(const bool second, const double step)
 {
   const unsigned int n = n_cells();

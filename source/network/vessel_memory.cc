@@ -169,10 +169,10 @@ void VesselMemory::eliminate()
     {
       const double factor = implicit_step * stage_areas[i] / (law.density * cell_length);
       right.constant -= factor * (known[i + 1] - known[i]);
-      const auto add_face = [&](const unsigned int face, const double sign)
+      const auto add_face = [&](const unsigned int face)
       {
         // The coefficients of the slope on the face.
-        const double of_face = sign * factor * viscosities[face];
+        const double of_face = factor * viscosities[face];
         const bool is_start = face == 0, is_end = face == n;
         const double there = (is_start || is_end ? 3. : 1.) * of_face / cell_length,
                      third = of_face / (3. * cell_length);
@@ -190,8 +190,8 @@ void VesselMemory::eliminate()
         else
           (face == i ? lower : of_next) -= of_face / cell_length;
       };
-      add_face(i, 1.);
-      add_face(i + 1, 1.);
+      add_face(i);
+      add_face(i + 1);
     }
     if (i > 0)
     {

@@ -112,6 +112,11 @@ void Identification::read_tests()
   std::vector<MaterialTest> made;
   for (const MaterialTest &test : parameters.tests)
   {
+    if (std::find(probes.begin(), probes.end(), test.name) != probes.end())
+      section()
+          .subsection("Material tests")
+          .subsection(test.name)
+          .refuse("", "a probe is called the same", "Rename one of them");
     if (!materials.has_subsection(test.material))
       section()
           .subsection("Material tests")
@@ -265,11 +270,13 @@ void Identification::check_restart(const OutputDirectory &directory) const
 
 std::unique_ptr<ForwardModel> Identification::make_model(const bool theory,
                                                          const OutputDirectory &directory,
-                                                         const std::string &runs) const
+                                                         const std::string &runs,
+                                                         Log &log) const
 {
   if (!theory)
     return std::make_unique<SimulationModel>(
-        command_line, directory, columns, n_threads_of(parameters), runs, memory_of_simulation());
+        command_line, directory, columns, n_threads_of(parameters), runs, memory_of_simulation(),
+        [&log](const std::string &text) { log.warning(text); });
   return std::make_unique<TheoryModel>(analyses, command_line, n_dimensions,
                                        n_threads_of(parameters));
 }
@@ -309,7 +316,7 @@ FitOptions Identification::fit_options() const
 
 void Identification::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
-  const std::unique_ptr<ForwardModel> model = make_model(by_theory, directory, "evaluation");
+  const std::unique_ptr<ForwardModel> model = make_model(by_theory, directory, "evaluation", log);
   IdentificationResults results;
   results.model = model->name();
   results.parameters = fit_parameters();

@@ -113,8 +113,8 @@ void Identification::find_bias(const OutputDirectory &directory,
                                IdentificationResults &results) const
 {
   const bool theory = parameters.other_model == OtherModel::theory;
-  const std::unique_ptr<ForwardModel> first = make_model(by_theory, directory, "bias"),
-                                      second = make_model(theory, directory, "other");
+  const std::unique_ptr<ForwardModel> first = make_model(by_theory, directory, "bias", log),
+                                      second = make_model(theory, directory, "other", log);
   const auto &further = parameters.other_entries;
   results.other_model = second->name() + (further.empty() ? "" : " with other entries");
   log.note("Computing the other model for the bias: " + results.other_model);

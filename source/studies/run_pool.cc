@@ -6,6 +6,7 @@
 #include <continua/base/interruption.h>
 #include <continua/base/lack_of_memory.h>
 #include <continua/base/memory_limit.h>
+#include <continua/base/output_directory.h>
 #include <continua/base/parameter_text.h>
 
 #include <sched.h>
@@ -188,7 +189,8 @@ RunPool::RunPool(const unsigned int n_parallel, std::string program)
 
 void RunPool::perform(const std::vector<PlannedRun> &plans,
                       const Begins &begins,
-                      const Ended &ended) const
+                      const Ended &ended,
+                      const Again &again_of) const
 {
   std::vector<PlannedRun> again;
   std::vector<unsigned int> numbers; // of these
@@ -197,9 +199,15 @@ void RunPool::perform(const std::vector<PlannedRun> &plans,
                {
                  if (!says_nothing_of_input(failure))
                    return ended(number, failure);
+                 again_of(number, failure);
                  again.push_back(plans[number]);
-                 again.back().command_line.restart = false;
-                 again.back().command_line.overwrite = true;
+                 CommandLine &command_line = again.back().command_line;
+                 // What it has kept is not computed again; but the checkpoint in a folder that it
+                 // was to empty may be of another run.
+                 command_line.restart =
+                     !command_line.overwrite &&
+                     OutputDirectory::has_checkpoint(command_line.output_directory);
+                 command_line.overwrite = !command_line.restart;
                  numbers.push_back(number);
                });
   // The memory may be enough for each of them alone.

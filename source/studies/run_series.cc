@@ -225,9 +225,15 @@ std::vector<RunResult> RunSeries::perform(const std::vector<PlannedRun> &plans,
   { note(plans[numbers[i]], directory, State::begun); };
   if (n_parallel > 1 && to_perform.size() > 1)
     RunPool(n_parallel)
-        .perform(to_perform, begin,
-                 [&](const unsigned int i, const std::string &failure)
-                 { end_in_folder(numbers[i], failure); });
+        .perform(
+            to_perform, begin,
+            [&](const unsigned int i, const std::string &failure)
+            { end_in_folder(numbers[i], failure); },
+            [&](const unsigned int i, const std::string &failure)
+            {
+              log.warning(to_perform[i].name +
+                          " is tried again, alone, when the others have ended: " + failure);
+            });
   else
     for (unsigned int i = 0; i < to_perform.size(); ++i)
     {

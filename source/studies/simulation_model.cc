@@ -56,6 +56,7 @@ SimulationModel::SimulationModel(const CommandLine &of_file,
                                  const unsigned int n_parallel,
                                  std::string name_of_runs,
                                  const double memory,
+                                 std::function<void(const std::string &)> warn,
                                  std::string program)
     : command_line(without_data(of_file)),
       directory(directory),
@@ -63,6 +64,7 @@ SimulationModel::SimulationModel(const CommandLine &of_file,
       n_parallel(n_parallel),
       name_of_runs(std::move(name_of_runs)),
       memory(memory),
+      warn(std::move(warn)),
       program(std::move(program))
 {
   command_line.overwrite = true;
@@ -117,11 +119,16 @@ void SimulationModel::run(const std::vector<Settings> &all)
               histories[plans[number].settings] = read_run_columns(folder + "/probes.csv");
               std::filesystem::remove_all(folder);
             }
+          },
+          [&](const unsigned int number, const std::string &failure)
+          {
+            warn(plans[number].run.name +
+                 " is tried again, alone, when the others have ended: " + failure);
           });
   if (!without_answer.empty())
     throw RunError("the run " + without_answer +
-                   ". This says nothing of its numbers, and is not kept: free memory, or take a "
-                   "coarser mesh; --restart goes on");
+                   ". This says nothing of its numbers, and is not kept: free memory or take a "
+                   "coarser mesh, or report a crash; --restart goes on");
 }
 
 std::vector<ForwardAnswer> SimulationModel::answers(const std::vector<ForwardQuestion> &questions)

@@ -1,5 +1,5 @@
 // A chamber of the heart that empties through its valve, that fills, and whose valve lets nothing
-// back, against exponentials.
+// back, against exponentials; a closed valve against a closed end.
 
 #include <continua/network/network.h>
 #include <continua/network/square_root_wall.h>
@@ -111,6 +111,58 @@ void check_beats()
   check::relative("beats: volume of the liquid", network.volume() - network.inflow(), volume,
                   1e-13);
 }
+/// While a pulse goes to and fro in a tube whose wall relaxes, a heart whose valve the pressure
+/// holds closed does as a closed end.
+void check_closed_valve()
+{
+  const auto network = [](const TerminalLaw &at_start)
+  {
+    VesselDescription description;
+    description.name = "tube";
+    description.length = 1.;
+    description.n_cells = 100;
+    std::vector<Network::Edge> edges;
+    edges.push_back(
+        {make_vessel<SquareRootWall>(description, FlowLaw(),
+                                     [](double) { return SquareRootWall(3e-4, 0., 25e3); }),
+         0, 1});
+    edges.back().vessel->set_relaxation({0., {{0.5, 0.05}}});
+    TerminalLaw pulse;
+    pulse.type = TerminalLaw::Type::flow_rate;
+    pulse.value = [](const double time)
+    {
+      const double sine = std::sin(FlowLaw::pi * time / 0.1);
+      return time < 0.1 ? 1e-5 * sine * sine : 0.;
+    };
+    Network result(std::move(edges), {at_start, pulse});
+    result.rest(0.);
+    return result;
+  };
+  TerminalLaw heart;
+  heart.type = TerminalLaw::Type::heart;
+  // -1 MPa in the chamber, and nothing fills it.
+  heart.heart = {[](double) { return elastance; }, 0.01, 0., valve, -2e6, filling};
+  Network with_valve = network(heart), closed = network(TerminalLaw());
+  Vessel::Values largest = {0., 0., 0.}, difference = {0., 0., 0.};
+  for (unsigned int i = 1; i <= 50; ++i)
+  {
+    with_valve.advance(0.02 * i, 0.8);
+    closed.advance(0.02 * i, 0.8);
+    const Vessel::Values values = with_valve.vessel(0).values(0.5),
+                         exact = closed.vessel(0).values(0.5);
+    const auto compare = [&](double Vessel::Values::*const field)
+    {
+      largest.*field = std::fmax(largest.*field, std::abs(exact.*field));
+      difference.*field = std::fmax(difference.*field, std::abs(values.*field - exact.*field));
+    };
+    compare(&Vessel::Values::pressure);
+    compare(&Vessel::Values::flow);
+  }
+  check::absolute("closed valve, wall that relaxes: pressure",
+                  difference.pressure / largest.pressure, 0., 1e-12);
+  check::absolute("closed valve, wall that relaxes: flow rate", difference.flow / largest.flow, 0.,
+                  1e-12);
+}
 } // namespace
 
 UNIT_TEST(heart)
@@ -118,5 +170,6 @@ UNIT_TEST(heart)
   check_emptying();
   check_filling();
   check_beats();
+  check_closed_valve();
 }
 } // namespace test_of_heart

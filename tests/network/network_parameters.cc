@@ -27,11 +27,13 @@ text_of(const std::string &of_network, const std::string &of_vessel, const std::
          "set Radius at start = 10 mm\nset Wall thickness at start = 4 mm\n" +
          of_vessel + "end\nend\n" +
          "subsection Terminals\nsubsection a\nset Type = flow rate\nset Flow rate = 1e-6\nend\n" +
-         at_end +
-         "end\nsubsection Stations\nsubsection s\nset Vessel = tube\nend\nend\nend\n"
-         "subsection Materials\nsubsection wall\nset Type = prony\nset Density = 1000 kg/m^3\n"
-         "set Young's modulus = 400 kPa\nset Poisson's ratio = 0.5\nset Shear moduli = 40 kPa\n"
-         "set Relaxation times = 0.1 s\nend\nend\n";
+         at_end + "end\nsubsection Stations\nsubsection s\nset Vessel = tube\nend\nend\nend\n" +
+         (of_vessel.find("Material") == std::string::npos
+              ? ""
+              : "subsection Materials\nsubsection wall\nset Type = prony\nset Density = 1000 "
+                "kg/m^3\nset Young's modulus = 400 kPa\nset Poisson's ratio = 0.5\nset Shear "
+                "moduli "
+                "= 40 kPa\nset Relaxation times = 0.1 s\nend\nend\n");
 }
 
 NetworkParameters read(const std::string &text)
@@ -40,7 +42,7 @@ NetworkParameters read(const std::string &text)
   ParameterSection section = file.root().subsection("Network");
   NetworkParameters parameters;
   parameters.read(section);
-  parameters.read_materials(file.root().subsection("Materials"));
+  parameters.read_materials(file.root().subsection("Network"), file.root().subsection("Materials"));
   parameters.check(section);
   return parameters;
 }

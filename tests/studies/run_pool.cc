@@ -112,7 +112,7 @@ UNIT_TEST(run_pool)
 
   // What says nothing of the input is tried once more, alone.
   counts_at_work();
-  std::vector<std::string> of_tries(3);
+  std::vector<std::string> of_tries(3), of_first_tries(3);
   RunPool(3, script).perform(
       {run_of("[ -e killed ] && sleep 0.05 && exit 0; touch killed; rmdir at-work.$$; kill -9 $$"),
        run_of("[ -e lacks ] && sleep 0.05 && exit 0; touch lacks; echo 'error: MUMPS, "
@@ -123,17 +123,46 @@ UNIT_TEST(run_pool)
               "exit 1")},
       [](unsigned int) {},
       [&of_tries](const unsigned int number, const std::string &failure)
-      { of_tries[number] += failure.empty() ? "finished" : failure; });
+      { of_tries[number] += failure.empty() ? "finished" : failure; },
+      [&of_first_tries](const unsigned int number, const std::string &failure)
+      { of_first_tries[number] += failure; });
   check::equal("a run that was killed once", of_tries[0], "finished");
   check::equal("a run that had too little memory once", of_tries[1], "finished");
   check::equal("a run that has too little memory", of_tries[2],
                "it was tried twice, the second time alone: the memory of the machine is not enough "
                "for this run.");
+  check::is_true("why the first is tried again",
+                 check::matches(of_first_tries[0], "^it was ended by the signal 'Killed'"));
+  check::equal("why the third is tried again", of_first_tries[2],
+               "the memory of the machine is not enough for this run.");
   check::equal("its tries", read_input_file(place + "/always"), "tried\ntried\n");
   const std::vector<int> counts = counts_at_work();
   check::is_true("the second tries are alone",
                  counts.size() == 6 &&
                      std::vector<int>(counts.end() - 3, counts.end()) == std::vector<int>(3, 1));
+
+  // A second try goes on from a checkpoint, but not from what a folder held before.
+  const auto arguments_of_second_try = [](const bool overwrite)
+  {
+    std::filesystem::remove_all(place + "/results");
+    std::filesystem::remove(place + "/arguments");
+    PlannedRun killed = run_of("[ -e results ] && exit 0; mkdir -p results/checkpoint; touch "
+                               "results/checkpoint/state; rmdir at-work.$$; kill -9 $$");
+    killed.command_line.output_directory = place + "/results";
+    killed.command_line.overwrite = overwrite;
+    check::is_true("it finishes", perform({killed}, 2) == std::vector<std::string>(1));
+    std::istringstream lines(read_input_file(place + "/arguments"));
+    std::string first, second;
+    std::getline(lines, first);
+    std::getline(lines, second);
+    return second;
+  };
+  std::string second = arguments_of_second_try(false);
+  check::is_true("a second try from a checkpoint",
+                 check::matches(second, "--restart") && !check::matches(second, "--overwrite"));
+  second = arguments_of_second_try(true);
+  check::is_true("a second try in a folder of another run",
+                 check::matches(second, "--overwrite") && !check::matches(second, "--restart"));
 
   std::filesystem::remove(place + "/arguments");
   PlannedRun plan = run_of("exit 0");

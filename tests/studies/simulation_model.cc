@@ -73,11 +73,16 @@ UNIT_TEST(simulation_model)
   CommandLine command_line;
   command_line.parameter_file = file;
   const OutputDirectory directory(folder, OutputDirectory::Mode::fresh, MPI_COMM_SELF);
-  SimulationModel model(command_line, directory, {{"stations", 1, {"pressure"}}}, 2, "run", 0.,
-                        script);
+  std::string warnings;
+  SimulationModel model(
+      command_line, directory, {{"stations", 1, {"pressure"}}}, 2, "run", 0.,
+      [&warnings](const std::string &text) { warnings += text + "\n"; }, script);
   const auto answers = model.answers({question("5"), question("2"), question("4"), question("5")});
   check::absolute("histories", error_of(answers[0], 5.), 0., 1e-12);
   check::absolute("of a run that was killed once", error_of(answers[1], 2.), 0., 1e-12);
+  check::is_true("a warning of it",
+                 check::matches(warnings, "^run-2 is tried again, alone, when the others have "
+                                          "ended: it was ended by the signal 'Killed'[^\n]*\n$"));
   check::equal("a run that failed", answers[2].failure, "too soft");
   check::absolute("the same entries again", error_of(answers[3], 5.), 0., 1e-12);
   check::is_true("folders of runs that ended well are gone",

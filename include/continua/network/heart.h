@@ -6,10 +6,10 @@
 namespace Continua
 {
 /**
- * A chamber of the heart with two valves, of no dimension (H. Suga, K. Sagawa, A. A. Shoukas, Circ.
- * Res. 32 (1973) 314): the pressure in it is elastance(t) (volume - unloaded_volume). It fills from
- * a constant pressure through a valve with a resistance, and empties through another one into a
- * vessel. A valve lets nothing flow back. Volumes are those of the trapezoidal rule.
+ * A chamber of the heart with two valves, without a length (H. Suga, K. Sagawa, A. A. Shoukas,
+ * Circ. Res. 32 (1973) 314): the pressure in it is elastance(t) (volume - unloaded_volume). It
+ * fills from a constant pressure through a valve with a resistance, and empties through another one
+ * into a vessel. A valve lets nothing flow back. Volumes are those of the trapezoidal rule.
  */
 class Heart
 {

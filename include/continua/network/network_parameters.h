@@ -49,8 +49,9 @@ struct NetworkParameters
 
   /// Declares and reads. Throws InputError for what is wrong in an entry or a row.
   void read(ParameterSection section);
-  /// The walls of vessels that name one of these materials. Throws InputError.
-  void read_materials(ParameterSection materials);
+  /// The walls of vessels that name one of these materials. Throws InputError, also for an entry of
+  /// `section` that then has no effect and for a material that no vessel names.
+  void read_materials(const ParameterSection &section, ParameterSection materials);
   /// Numbers the nodes and the vessels of the stations. Throws InputError for what is no network:
   /// no vessel, a loose end without a terminal, a terminal at no loose end, parts that do not meet,
   /// heights that do not fit together, a station outside its vessel, times that are missing.
@@ -69,6 +70,7 @@ private:
   void read_liquid(ParameterSection &section);
   void read_wall(ParameterSection &section);
   void read_times(ParameterSection &section);
+  void check_materials(const ParameterSection &section, ParameterSection materials) const;
   void check_ends();
   void set_heights();
   void check_stations(ParameterSection &section);

@@ -57,7 +57,7 @@ public:
   double solve(bool at_end_of_step, double time, double step);
   /// The law for the implicit stage of a memory, linear: `of_flow` times the flow rate out of the
   /// network, and `of_pressure` times the pressure, are together `right`; of the pressure of the
-  /// memory only the share counts.
+  /// memory only `memory_share` counts.
   struct LinearLaw
   {
     double of_flow, of_pressure, right, memory_share;
@@ -86,7 +86,8 @@ private:
     double source, resistance, of_outflow;
   };
   Behind behind(bool at_end_of_step, double step) const;
-  double area_with_heart(bool at_end_of_step, double time, double step) const;
+  /// Sets valve_is_open, too.
+  double area_with_heart(bool at_end_of_step, double time, double step);
   double area_with(double time, double source, double resistance) const;
 };
 } // namespace Continua

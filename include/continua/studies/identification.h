@@ -62,8 +62,10 @@ private:
   void read_other_case() const;
   std::string identity() const;
   /// `runs`: what the folders of a simulation are called.
-  std::unique_ptr<ForwardModel>
-  make_model(bool theory, const OutputDirectory &directory, const std::string &runs) const;
+  std::unique_ptr<ForwardModel> make_model(bool theory,
+                                           const OutputDirectory &directory,
+                                           const std::string &runs,
+                                           Log &log) const;
   /// What a run in time of the file may need [B].
   double memory_of_simulation() const;
   std::vector<FitParameter> fit_parameters() const;

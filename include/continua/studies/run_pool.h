@@ -16,8 +16,8 @@ namespace Continua
  * may need by estimate; a run begins in any case when no other is at work.
  *
  * A run that a signal ends, as the system does where memory is at its end, or that fails for want
- * of memory says nothing of its input: it is performed again from its beginning, alone, when all
- * others have ended.
+ * of memory says nothing of its input: it is performed again, alone, when all others have ended,
+ * from its checkpoint if it has one.
  *
  * A signal that SignalWatch has seen goes to the runs, which end with a checkpoint where their
  * analysis has one. If this process is killed, they get SIGTERM.
@@ -32,16 +32,22 @@ public:
   using Begins = std::function<void(unsigned int number)>;
   /// `failure`: why the run failed; empty if it finished, its results then stand in its folder.
   using Ended = std::function<void(unsigned int number, const std::string &failure)>;
+  /// `failure`: why the run will be performed again.
+  using Again = std::function<void(unsigned int number, const std::string &failure)>;
 
   /**
    * Performs the runs, begun in their order. `begins` is called before each, `ended` after each in
-   * the order in which they end; of a run that is performed again once, after the second time. A
-   * run that cannot be started has failed. What `begins` or `ended` throws goes on when the runs at
-   * work have ended: they get SIGTERM, and are killed after 30 s. Throws Interrupted when all have
+   * the order in which they end; of a run that is performed again once, after the second time, and
+   * `again_of` after the first. A run that cannot be started has failed. What `begins`, `ended` or
+   * `again_of` throws goes on when the runs at work have ended: they get SIGTERM, and are killed
+   * after 30 s. Throws Interrupted when all have
    * ended after a signal; a run that the signal ended is not reported. On one rank alone.
    */
-  void
-  perform(const std::vector<PlannedRun> &plans, const Begins &begins, const Ended &ended) const;
+  void perform(
+      const std::vector<PlannedRun> &plans,
+      const Begins &begins,
+      const Ended &ended,
+      const Again &again_of = [](unsigned int, const std::string &) {}) const;
 
   /// The cores that this process may use, at least one.
   static unsigned int n_cores();

@@ -5,6 +5,7 @@
 #include <continua/studies/forward_model.h>
 #include <continua/studies/planned_run.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,7 +33,7 @@ struct RunColumns
  * folder of its own, as many at a time as there are cores. Its histories are those of probes.csv,
  * between the steps by cubics. They are kept: other times need no other run. The folder of a run
  * that has ended well is removed again. A run that a signal ends or that has too little memory says
- * nothing of its numbers: RunPool tries it again, alone.
+ * nothing of its numbers: RunPool tries it again, alone, and `warn` gets a line on it.
  */
 class SimulationModel : public ForwardModel
 {
@@ -45,6 +46,7 @@ public:
                   unsigned int n_parallel,
                   std::string name_of_runs,
                   double memory,
+                  std::function<void(const std::string &)> warn,
                   std::string program = "/proc/self/exe");
 
   /// Throws RunError if a run that was tried again says nothing of its numbers again.
@@ -58,6 +60,7 @@ private:
   unsigned int n_parallel;
   std::string name_of_runs;
   double memory; ///< [B]
+  std::function<void(const std::string &)> warn;
   std::string program;
   unsigned int n_runs = 0;
   using Settings = std::vector<std::pair<std::string, std::string>>;
