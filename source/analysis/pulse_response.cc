@@ -27,6 +27,10 @@ constexpr std::size_t fewest_points = 8;
 constexpr double compared_part = 0.75;
 /// A column whose range is below this part of the largest one of its unit is round-off.
 constexpr double round_off_of_column = 1e-6;
+/// A larger residual of the solver is an error at the end that is named.
+constexpr double noted_residual_of_points = 1e-9;
+/// A body that vibrates for ever has 1 over the growth; ten times that is worth a warning.
+constexpr double noted_difference_by_twice = 10. / growth_of_duration;
 } // namespace
 
 template <int dim>
@@ -243,6 +247,14 @@ void PulseResponse<dim>::perform()
   text << responses.size() << " points of the contour: one of half its length differs by "
        << by_twice << " of the range of a probe";
   run.log.line(text.str());
+  if (by_twice > std::max(run.input.pulse_response.tolerance, noted_difference_by_twice))
+    run.log.warning("the contour of half the length differs by more than Pulse response/Tolerance: "
+                    "what comes back from behind the end is not small beside the range of a probe. "
+                    "Give a later End time");
+  if (system->largest_residual() > noted_residual_of_points)
+    run.log.warning("the solver leaves " + shortest_number(system->largest_residual()) +
+                    " of the largest force at a node, which the contour multiplies by up to " +
+                    shortest_number(growth_of_duration) + " until the end");
   run.summary.set("solver of the frequencies", system->solver_name());
   run.summary.add({"points of the contour", static_cast<double>(responses.size()), "1", ""});
   run.summary.add({"largest difference by twice the duration", by_twice, "1", ""});
