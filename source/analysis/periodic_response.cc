@@ -161,6 +161,14 @@ std::vector<Complex> PeriodicResponse<dim>::amplitudes(const unsigned int harmon
   if (keeps_fields())
     solutions.push_back(solution);
   powers.push_back(system->powers(solution, load));
+  double size = 0.;
+  for (const auto part : {&HarmonicLoad::forces, &HarmonicLoad::velocities, &HarmonicLoad::ports})
+  {
+    HarmonicLoad of_part;
+    of_part.*part = load.*part;
+    size += std::abs(system->power_of(of_part, solution, load));
+  }
+  sizes_of_powers.push_back(size);
   return probe_values(*system, run.input.probes, solution);
 }
 
@@ -254,8 +262,8 @@ void PeriodicResponse<dim>::write_powers()
       row.insert(row.end(), {region.viscosity, region.relaxation, region.supports});
     row.insert(row.end(), of_harmonic.ports.begin(), of_harmonic.ports.end());
     row.push_back(of_harmonic.given() - of_harmonic.taken());
-    scale += std::abs(of_harmonic.forces) + std::abs(of_harmonic.velocities) +
-             std::abs(of_harmonic.behind_ports) + std::abs(of_harmonic.taken());
+    // Without damping nothing is taken.
+    scale += sizes_of_powers[k] + std::abs(of_harmonic.taken());
     residual += std::abs(row.back());
     rows.push_back(row);
   }
