@@ -186,9 +186,7 @@ template <int dim>
 void PulseResponse<dim>::write(const std::vector<std::vector<double>> &values)
 {
   Case<dim> &input = run.input;
-  const double interval = input.output.probe_interval;
-  const std::size_t stride =
-      interval > 0. ? std::max(1., std::round(interval / input.time.time_step)) : 1;
+  const std::size_t stride = steps_of_a_row();
   input.probes.open(run.directory.file("probes.csv"));
   for (std::size_t j = 0; j <= n_steps; j += stride)
   {
@@ -226,9 +224,29 @@ double PulseResponse<dim>::difference(const std::vector<std::vector<double>> &va
 }
 
 template <int dim>
+std::size_t PulseResponse<dim>::steps_of_a_row() const
+{
+  const double interval = run.input.output.probe_interval;
+  return interval > 0. ? std::max(1., std::round(interval / run.input.time.time_step)) : 1;
+}
+
+template <int dim>
+void PulseResponse<dim>::warn_of_output() const
+{
+  const double steps = run.input.output.probe_interval / run.input.time.time_step;
+  const std::size_t taken = steps_of_a_row();
+  if (steps > 0. && std::abs(steps - static_cast<double>(taken)) > 1e-6 * steps)
+    run.log.warning("Output/Probe interval is no multiple of Time/Time step: the rows are " +
+                    std::to_string(taken) + (taken == 1 ? " step" : " steps") + " apart");
+  if (run.input.output.field_interval > 0.)
+    run.log.warning("a pulse response writes no fields: Output/Field interval has no effect");
+}
+
+template <int dim>
 void PulseResponse<dim>::perform()
 {
   this->start();
+  warn_of_output();
   {
     SectionTimer::Scope scope(run.log.timer(), "loads");
     take_loads();
