@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace Continua
 {
@@ -282,11 +283,15 @@ void PeriodicResponse<dim>::write_period(const std::vector<WeightedSolution> &me
 {
   const double period = run.input.periodic_state.period, interval = run.input.output.field_interval;
   const auto n = static_cast<std::size_t>(std::max(1., std::round(period / interval)));
+  std::vector<WeightedSolution> parts = mean;
+  for (HarmonicSolution &solution : solutions)
+    parts.push_back({std::move(solution), 1.});
+  solutions.clear();
+  const std::size_t n_harmonics = parts.size() - mean.size();
   for (std::size_t j = 0; j < n; ++j)
   {
-    std::vector<WeightedSolution> parts = mean;
-    for (std::size_t k = 0; k < solutions.size(); ++k)
-      parts.push_back({solutions[k], std::polar(1., 2. * numbers::PI * (k + 1.) * j / n)});
+    for (std::size_t k = 0; k < n_harmonics; ++k)
+      parts[mean.size() + k].factor = std::polar(1., 2. * numbers::PI * (k + 1.) * j / n);
     system->show_sum(parts);
     this->write_state(period * j / n);
   }
