@@ -144,11 +144,12 @@ void PulseResponse<dim>::solve()
           responses.emplace_back();
           for (const HarmonicSolution &solution : solutions)
             responses.back().push_back(probe_values(*system, run.input.probes, solution));
-          SignalWatch::stop_if_asked(run.input.communicator,
-                                     "after " + std::to_string(number + 1) + " of " +
-                                         std::to_string(points.size()) +
-                                         " points; a pulse response begins anew, with "
-                                         "--overwrite");
+          if (number + 1 < points.size())
+            SignalWatch::stop_if_asked(run.input.communicator,
+                                       "after " + std::to_string(number + 1) + " of " +
+                                           std::to_string(points.size()) +
+                                           " points; a pulse response begins anew, with "
+                                           "--overwrite");
         });
   }
   catch (const SingularMatrix &error)
