@@ -30,7 +30,7 @@ constexpr double least_damping_ratio = 1e-9;
 /// its modes [rad].
 constexpr double angle_beyond_axis = 0.02;
 constexpr std::size_t most_evaluations = 600;
-/// Of what the tube behind an absorbing end answers to.
+/// The largest damping ratio that the tube behind an absorbing end answers to.
 constexpr double largest_ratio_of_ends = 0.93;
 /// The sector in which equal resonances are counted, over |s|, to either side.
 constexpr double widest_round_one = 1e-3;

@@ -68,8 +68,8 @@ UNIT_TEST(resonance_search)
   check::is_true("damping ratios",
                  found[0].damping_ratio() < found[1].damping_ratio() && narrow.find().size() == 1);
 
-  // Where an absorbing end has no wave there is no resonance. Any other failure is told, and without
-  // memory there is no answer.
+  // Where an absorbing end has no wave there is no resonance. Any other failure is told, and
+  // without memory there is no answer.
   const auto n_found_with = [&](const std::string &failure)
   {
     system.failure = failure;
