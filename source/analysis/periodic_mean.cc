@@ -3,6 +3,7 @@
 #include <continua/analysis/harmonic_tables.h>
 #include <continua/analysis/mean_of_loads.h>
 #include <continua/base/input_error.h>
+#include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
 
 #include <deal.II/base/numbers.h>
@@ -42,6 +43,9 @@ std::vector<std::complex<double>> PeriodicMean<dim>::find(const HarmonicLoad &lo
     s = std::min(s, growth_over_rate / slowest);
   const auto at = [&](const double growth)
   {
+    SignalWatch::stop_if_asked(run.input.communicator,
+                               "in the search for the mean; a periodic response begins anew, with "
+                               "--overwrite");
     system.factor(growth);
     return system.solve({load})[0];
   };

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace Continua
 {
@@ -161,6 +162,14 @@ std::vector<Complex> PeriodicResponse<dim>::amplitudes(const unsigned int harmon
   if (keeps_fields())
     solutions.push_back(solution);
   powers.push_back(system->powers(solution, load));
+  double size = 0.;
+  for (const auto part : {&HarmonicLoad::forces, &HarmonicLoad::velocities, &HarmonicLoad::ports})
+  {
+    HarmonicLoad of_part;
+    of_part.*part = load.*part;
+    size += std::abs(system->power_of(of_part, solution, load));
+  }
+  sizes_of_powers.push_back(size);
   return probe_values(*system, run.input.probes, solution);
 }
 
@@ -254,8 +263,8 @@ void PeriodicResponse<dim>::write_powers()
       row.insert(row.end(), {region.viscosity, region.relaxation, region.supports});
     row.insert(row.end(), of_harmonic.ports.begin(), of_harmonic.ports.end());
     row.push_back(of_harmonic.given() - of_harmonic.taken());
-    scale += std::abs(of_harmonic.forces) + std::abs(of_harmonic.velocities) +
-             std::abs(of_harmonic.behind_ports) + std::abs(of_harmonic.taken());
+    // Without damping nothing is taken.
+    scale += sizes_of_powers[k] + std::abs(of_harmonic.taken());
     residual += std::abs(row.back());
     rows.push_back(row);
   }
@@ -274,11 +283,15 @@ void PeriodicResponse<dim>::write_period(const std::vector<WeightedSolution> &me
 {
   const double period = run.input.periodic_state.period, interval = run.input.output.field_interval;
   const auto n = static_cast<std::size_t>(std::max(1., std::round(period / interval)));
+  std::vector<WeightedSolution> parts = mean;
+  for (HarmonicSolution &solution : solutions)
+    parts.push_back({std::move(solution), 1.});
+  solutions.clear();
+  const std::size_t n_harmonics = parts.size() - mean.size();
   for (std::size_t j = 0; j < n; ++j)
   {
-    std::vector<WeightedSolution> parts = mean;
-    for (std::size_t k = 0; k < solutions.size(); ++k)
-      parts.push_back({solutions[k], std::polar(1., 2. * numbers::PI * (k + 1.) * j / n)});
+    for (std::size_t k = 0; k < n_harmonics; ++k)
+      parts[mean.size() + k].factor = std::polar(1., 2. * numbers::PI * (k + 1.) * j / n);
     system->show_sum(parts);
     this->write_state(period * j / n);
   }

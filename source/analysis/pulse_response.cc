@@ -27,6 +27,10 @@ constexpr std::size_t fewest_points = 8;
 constexpr double compared_part = 0.75;
 /// A column whose range is below this part of the largest one of its unit is round-off.
 constexpr double round_off_of_column = 1e-6;
+/// A larger residual of the solver is an error at the end that is named.
+constexpr double noted_residual_of_points = 1e-9;
+/// A body that vibrates for ever has 1 over the growth; ten times that is worth a warning.
+constexpr double noted_difference_by_twice = 10. / growth_of_duration;
 } // namespace
 
 template <int dim>
@@ -140,11 +144,12 @@ void PulseResponse<dim>::solve()
           responses.emplace_back();
           for (const HarmonicSolution &solution : solutions)
             responses.back().push_back(probe_values(*system, run.input.probes, solution));
-          SignalWatch::stop_if_asked(run.input.communicator,
-                                     "after " + std::to_string(number + 1) + " of " +
-                                         std::to_string(points.size()) +
-                                         " points; a pulse response begins anew, with "
-                                         "--overwrite");
+          if (number + 1 < points.size())
+            SignalWatch::stop_if_asked(run.input.communicator,
+                                       "after " + std::to_string(number + 1) + " of " +
+                                           std::to_string(points.size()) +
+                                           " points; a pulse response begins anew, with "
+                                           "--overwrite");
         });
   }
   catch (const SingularMatrix &error)
@@ -182,9 +187,7 @@ template <int dim>
 void PulseResponse<dim>::write(const std::vector<std::vector<double>> &values)
 {
   Case<dim> &input = run.input;
-  const double interval = input.output.probe_interval;
-  const std::size_t stride =
-      interval > 0. ? std::max(1., std::round(interval / input.time.time_step)) : 1;
+  const std::size_t stride = steps_of_a_row();
   input.probes.open(run.directory.file("probes.csv"));
   for (std::size_t j = 0; j <= n_steps; j += stride)
   {
@@ -222,9 +225,29 @@ double PulseResponse<dim>::difference(const std::vector<std::vector<double>> &va
 }
 
 template <int dim>
+std::size_t PulseResponse<dim>::steps_of_a_row() const
+{
+  const double interval = run.input.output.probe_interval;
+  return interval > 0. ? std::max(1., std::round(interval / run.input.time.time_step)) : 1;
+}
+
+template <int dim>
+void PulseResponse<dim>::warn_of_output() const
+{
+  const double steps = run.input.output.probe_interval / run.input.time.time_step;
+  const std::size_t taken = steps_of_a_row();
+  if (steps > 0. && std::abs(steps - static_cast<double>(taken)) > 1e-6 * steps)
+    run.log.warning("Output/Probe interval is no multiple of Time/Time step: the rows are " +
+                    std::to_string(taken) + (taken == 1 ? " step" : " steps") + " apart");
+  if (run.input.output.field_interval > 0.)
+    run.log.warning("a pulse response writes no fields: Output/Field interval has no effect");
+}
+
+template <int dim>
 void PulseResponse<dim>::perform()
 {
   this->start();
+  warn_of_output();
   {
     SectionTimer::Scope scope(run.log.timer(), "loads");
     take_loads();
@@ -243,6 +266,14 @@ void PulseResponse<dim>::perform()
   text << responses.size() << " points of the contour: one of half its length differs by "
        << by_twice << " of the range of a probe";
   run.log.line(text.str());
+  if (by_twice > std::max(run.input.pulse_response.tolerance, noted_difference_by_twice))
+    run.log.warning("the contour of half the length differs by more than Pulse response/Tolerance: "
+                    "what comes back from behind the end is not small beside the range of a probe. "
+                    "Give a later End time");
+  if (system->largest_residual() > noted_residual_of_points)
+    run.log.warning("the solver leaves " + shortest_number(system->largest_residual()) +
+                    " of the largest force at a node, which the contour multiplies by up to " +
+                    shortest_number(growth_of_duration) + " until the end");
   run.summary.set("solver of the frequencies", system->solver_name());
   run.summary.add({"points of the contour", static_cast<double>(responses.size()), "1", ""});
   run.summary.add({"largest difference by twice the duration", by_twice, "1", ""});

@@ -4,6 +4,7 @@
 #include "small_harmonic_system.h"
 
 #include <continua/analysis/resonance_search.h>
+#include <continua/base/lack_of_memory.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -66,5 +67,21 @@ UNIT_TEST(resonance_search)
   ResonanceSearch<2> narrow(system, parameters, {}, MPI_COMM_WORLD, log);
   check::is_true("damping ratios",
                  found[0].damping_ratio() < found[1].damping_ratio() && narrow.find().size() == 1);
+
+  // Where an absorbing end has no wave there is no resonance. Any other failure is told, and
+  // without memory there is no answer.
+  const auto n_found_with = [&](const std::string &failure)
+  {
+    system.failure = failure;
+    return ResonanceSearch<2>(system, parameters, {}, MPI_COMM_WORLD, log).find().size();
+  };
+  check::is_true("no wave",
+                 n_found_with("a wave of the tube behind the absorbing end was lost") == 0 &&
+                     log.warnings().empty());
+  check::is_true("left out with a warning",
+                 n_found_with("an internal error") == 0 && log.warnings().size() == 1);
+  check::throws<RunError>(
+      "lack of memory", [&]() { n_found_with("MUMPS, factorisation: " + lack_of_memory); },
+      "memory");
 }
 } // namespace test_of_resonance_search

@@ -1,10 +1,12 @@
 #ifndef continua_tests_analysis_small_harmonic_system_h
 #define continua_tests_analysis_small_harmonic_system_h
 
+#include <continua/base/input_error.h>
 #include <continua/continuum/harmonic_system.h>
 #include <continua/frequency/dense_complex_matrix.h>
 
 #include <cmath>
+#include <string>
 
 namespace small_system
 {
@@ -24,6 +26,7 @@ class SmallHarmonicSystem : public HarmonicSystem<2>
 public:
   static constexpr unsigned int n = 4;
   std::vector<double> stiffness = {1., 9., 30., 400.};
+  std::string failure; ///< of factors at s that decay; empty: none
   unsigned int n_factors = 0;
 
   unsigned int n_local_velocities() const override { return n; }
@@ -68,6 +71,8 @@ public:
 
   void factor(const Complex s) override
   {
+    if (!failure.empty() && s.real() < 0.)
+      throw RunError(failure);
     factored_at = s;
     ++n_factors;
   }

@@ -39,6 +39,7 @@ private:
   std::vector<double>
       load_sizes; ///< by harmonic: the sum over the shapes, each over its largest value
   std::vector<HarmonicPowers> powers;      ///< by harmonic, from 1
+  std::vector<double> sizes_of_powers;     ///< likewise, of what the loads move to and fro, too [W]
   std::vector<HarmonicSolution> solutions; ///< likewise, where fields are written
 
   void take_loads();

@@ -54,6 +54,10 @@ private:
   void solve();
   /// Of each column of the probes, by time. `stride`: 1 on `contour`, 2 on that of the duration.
   std::vector<std::vector<double>> histories(const DampedContour &at, std::size_t stride) const;
+  /// Of the rows of probes.csv.
+  std::size_t steps_of_a_row() const;
+  /// Where the file asks for what the analysis does not write.
+  void warn_of_output() const;
   void write(const std::vector<std::vector<double>> &values);
   /// The largest difference in the first three quarters of the duration, over the range of a column
   /// [1].

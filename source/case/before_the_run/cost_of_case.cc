@@ -43,11 +43,14 @@ unsigned int ranks_on_this_machine(const MPI_Comm communicator)
   return n_ranks;
 }
 
-/// Of a harmonic analysis as given; of one that chooses them by itself as many as usual.
+/// Of a harmonic analysis as given; of a pulse response at most, which needs fewer points where the
+/// loads are smooth; of one that chooses them by itself as many as usual.
 template <int dim>
 std::size_t n_frequencies_of(const Case<dim> &input)
 {
   constexpr std::size_t n_usual = 50;
+  if (input.analysis.name == "pulse response")
+    return static_cast<std::size_t>(std::ceil(input.time.end_time / input.time.time_step)) + 1;
   return input.harmonic.frequencies.empty() ? n_usual : input.harmonic.frequencies.size();
 }
 

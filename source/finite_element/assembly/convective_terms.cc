@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -33,6 +34,8 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
            {velocity, acceleration, pressure, pressure_rate, mesh_displacement, mesh_velocity}),
       product(space, problem, instruction_set)
 {
+  // The terms take up to eight points at a time.
+  AssertThrow(cells.n_points() >= 8, ExcInternalError());
 }
 
 template <int dim>

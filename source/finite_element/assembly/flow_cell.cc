@@ -1,7 +1,5 @@
 #include <continua/finite_element/assembly/flow_cell.h>
 
-#include <deal.II/base/exceptions.h>
-
 namespace Continua
 {
 using namespace dealii;
@@ -123,7 +121,6 @@ void FlowCell<dim>::set_material(FlowPoint<dim> &point) const
 template <int dim>
 FlowAtPoints<dim> FlowCell<dim>::all_points() const
 {
-  Assert(cells.n_points() >= 8, ExcInternalError());
   const Material &liquid = material();
   FlowAtPoints<dim> all;
   all.n_points = cells.n_points();
