@@ -16,8 +16,8 @@
 #include <continua/program/examples.h>
 #include <continua/program/parameter_catalogue.h>
 #include <continua/program/parameter_templates.h>
-#include <continua/program/run_report.h>
 #include <continua/program/rules_page.h>
+#include <continua/program/run_report.h>
 #include <continua/program/script.h>
 #include <continua/program/several_runs.h>
 #include <continua/program/unknown_names.h>
