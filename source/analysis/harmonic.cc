@@ -111,7 +111,7 @@ template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   check_no_states(input.problem, root, another_way);
-  check_harmonic_body(input, root, another_way);
+  check_harmonic_probes(input, root, another_way);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;
   bool is_loaded = false;

@@ -39,7 +39,7 @@ constexpr std::size_t least_samples = 1024;
 template <int dim>
 void PeriodicResponse<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_harmonic_body(input, root, "use Analysis = transient");
+  check_harmonic_probes(input, root, "use Analysis = transient");
   check_no_mean_pressure(input.problem, root, "use Analysis = transient");
   if (!loads_have_mean(input.problem, input.periodic_state))
     return;

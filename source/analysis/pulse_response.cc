@@ -36,12 +36,9 @@ constexpr double noted_difference_by_twice = 10. / growth_of_duration;
 template <int dim>
 void PulseResponse<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_harmonic_body(input, root, another_way_for_pulses);
+  check_harmonic_probes(input, root, another_way_for_pulses);
   check_no_states(input.problem, root, another_way_for_pulses);
   ParameterSection time = root.subsection("Time");
-  if (input.time.is_adaptive())
-    time.refuse("Time step control", "the times of a pulse response have equal distances",
-                "Set Time step control = fixed; 'Time step' is the distance of the rows");
   if (!input.time.changes.empty())
     time.refuse("Time step changes", "the times of a pulse response have equal distances",
                 "Remove the entry");

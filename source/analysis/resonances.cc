@@ -77,7 +77,7 @@ std::vector<unsigned int> unit_loads_of(const Problem &problem, const HarmonicSy
 template <int dim>
 void Resonances<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_harmonic_body(input, root, "use Analysis = transient");
+  check_harmonic_probes(input, root, "use Analysis = transient");
   check_no_mean_pressure(input.problem, root, "use Analysis = transient");
   for (const BoundaryCondition &condition : input.problem.conditions)
     if (condition.type == BoundaryType::absorbing &&

@@ -1,5 +1,6 @@
 #include <continua/program/rules_page.h>
 
+#include <continua/base/joined.h>
 #include <continua/case/rules/feature.h>
 #include <continua/case/rules/rule.h>
 #include <continua/program/analyses.h>
@@ -63,12 +64,19 @@ bool leaves_out(const Feature<2> &analysis, const Feature<2> &other)
                      [&section](const AnalysisRow &row) { return has(row.sections, section); });
 }
 
+/// Whether an entry stands with its value, "KEY = value".
+bool has_value(const std::string &entry)
+{
+  return entry.find(" = ") != std::string::npos;
+}
+
 /// Whether no file can have both.
 bool are_apart(const Feature<2> &first, const Feature<2> &second)
 {
   const bool are_values_of_one_entry = path_of(first.entry) == path_of(second.entry) &&
                                        first.entry != second.entry &&
-                                       first.entry.find('<') == std::string::npos;
+                                       first.entry.find('<') == std::string::npos &&
+                                       has_value(first.entry) && has_value(second.entry);
   return are_values_of_one_entry || leaves_out(first, second) || leaves_out(second, first);
 }
 
@@ -175,8 +183,9 @@ void print_page(std::ostream &out)
          "each parameter file. A file that has two features which exclude each other is refused "
          "before the run, with the sentence of the table, the line and the entry. Further checks "
          "depend on numbers, on the mesh or on what one boundary has; the pages of the manual name "
-         "them. A test makes a file of each two features and compares what the program says with "
-         "this page.\n\n"
+         "them. A test makes files of two features each, where one small body can have both, and "
+         "compares what the program says, and of which entry, with this page; rules that no such "
+         "file shows have tests of their own.\n\n"
          "## The features\n\n"
          "An entry turns a feature on. `<region>` and `<name>` stand for a region and for a "
          "boundary.\n";

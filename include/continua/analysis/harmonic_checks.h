@@ -11,11 +11,14 @@
 
 namespace Continua
 {
-/// Refuses what a HarmonicSystem has not: whatever is not linear, the cell-wise path, a stream,
-/// cavities, iterative solvers. `remedy`: another way, "use Analysis = transient". Throws
-/// InputError.
+// What a HarmonicSystem has not is refused before, by the rules between features (see Rule).
+
+/// Refuses probes whose numbers are not linear in the motion, and have no amplitude. `remedy`:
+/// another way, "use Analysis = transient". Throws InputError.
 template <int dim>
-void check_harmonic_body(const Case<dim> &input, ParameterSection root, const std::string &remedy);
+void check_harmonic_probes(const Case<dim> &input,
+                           ParameterSection root,
+                           const std::string &remedy);
 
 /// Refuses the mean pressure of an absorbing end, about which waves would go.
 void check_no_mean_pressure(const Problem &problem,
@@ -26,7 +29,7 @@ void check_no_mean_pressure(const Problem &problem,
 void check_no_states(const Problem &problem, ParameterSection root, const std::string &remedy);
 
 /// The system of a run that was initialised, its solver named in log.txt. Throws RunError where the
-/// discretisation has none, which check_harmonic_body() refuses before.
+/// discretisation has none, which a rule refuses before.
 template <int dim>
 std::unique_ptr<HarmonicSystem<dim>> harmonic_system_of(Run<dim> &run);
 } // namespace Continua

@@ -58,8 +58,9 @@ std::optional<EntryPlace> FeaturesOfCase<dim>::place(const std::string &name)
 template <int dim>
 std::optional<EntryPlace> FeaturesOfCase<dim>::find_given(const std::string &entry) const
 {
-  const bool is_cell_wise = input.discretisation.is_cell_wise();
-  if (begins_with(entry, is_cell_wise ? "Linear solver" : "Cell-wise"))
+  if (input.discretisation.is_cell_wise()
+          ? begins_with(entry, "Linear solver/") || begins_with(entry, "Finite element/")
+          : begins_with(entry, "Cell-wise/"))
     return {};
   std::vector<std::string> members = {""};
   if (entry.find(any_region) != std::string::npos)

@@ -36,7 +36,11 @@ FeatureGroup<dim> analyses_as_features()
            of_input<dim>("resonances", "Analysis = resonances",
                          [](Input input) { return input.analysis.name == "resonances"; }),
            of_input<dim>("periodic response", "Analysis = periodic response",
-                         [](Input input) { return input.analysis.name == "periodic response"; })}};
+                         [](Input input) { return input.analysis.name == "periodic response"; }),
+           of_input<dim>("pulse response", "Analysis = pulse response",
+                         [](Input input) { return input.analysis.name == "pulse response"; }),
+           of_input<dim>("no steps in time", "Analysis",
+                         [](Input input) { return !is_in_time(input); })}};
 }
 
 template <int dim>
@@ -105,8 +109,7 @@ FeatureGroup<dim> models_as_features()
                               input.discretisation.cell_wise.pressure_update ==
                                   PressureUpdate::trapezoidal;
                      }),
-       of_input<dim>("pressure unlike the displacement",
-                     "Cell-wise/Pressure update = trapezoidal or euler",
+       of_input<dim>("pressure unlike the displacement", "Cell-wise/Pressure update",
                      [](Input input)
                      {
                        const CellWiseParameters &parameters = input.discretisation.cell_wise;
@@ -149,8 +152,9 @@ FeatureGroup<dim> steps_as_features()
                               has_formulation(input, Formulation::displacement);
                      }),
        of_input<dim>("steady start", "Initial state/Type = steady or mean",
-                     [](Input input) {
-                       return is_in_time(input) &&
+                     [](Input input)
+                     {
+                       return (is_in_time(input) || input.analysis.is_steady()) &&
                               input.problem.interior.starts_at_rest_under_loads;
                      }),
        of_input<dim>("start from the shape of the mesh", "Initial state/Type = given",

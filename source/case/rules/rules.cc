@@ -17,15 +17,18 @@ std::vector<Rule> rules_of_deformation()
       {{"crank nicolson"},
        {"cavity"},
        "a volume that is held in the middle of each step lets the pressure of the cavity swing "
-       "from "
-       "step to step",
+       "from step to step",
        "Set Scheme = backward differencing or euler implicit"},
       {{"free profile"},
-       {"mesh that stays", "cell-wise"},
+       {"cell-wise"},
+       "the cell-wise path has no free profile",
+       "Choose another profile, or set Discretisation = taylor hood"},
+      {{"free profile"},
+       {"mesh that stays"},
        "a free profile is that of a section which moves, and here the mesh stays",
        "Choose another profile, or set Deformation = finite"},
       {{"mesh that follows a boundary"},
-       {"steady", "modal", "harmonic", "resonances", "periodic response"},
+       {"no steps in time"},
        "a mesh that follows a velocity is never at rest",
        "Set Mesh = fixed, or make the run transient from rest or from a state that is given"},
       {{"steady start"},
@@ -58,7 +61,7 @@ std::vector<Rule> rules_of_deformation()
        "Leave the entry out, or set Analysis = linear wave theory"},
       {{"finite deformation"}, {"modal"}, "vibrations are linear", "Set Deformation = small"},
       {{"finite deformation"},
-       {"harmonic", "resonances", "periodic response"},
+       {"harmonic", "resonances", "periodic response", "pulse response"},
        "motion in the frequency domain is linear",
        "Set Deformation = small, or use Analysis = transient"},
       {{"finite deformation"},
@@ -93,8 +96,7 @@ std::vector<Rule> rules_of_deformation()
       {{"cavity"},
        {"unloaded shape"},
        "the inverse solve for the unloaded shape needs the pressure of the loaded one, and a "
-       "cavity "
-       "has its volume given",
+       "cavity has its volume given",
        "Give the boundary Type = pressure, or set Unloaded shape = mesh"},
       {{"subsection Wall directions"},
        {"no direction in any material"},
@@ -112,8 +114,7 @@ std::vector<Rule> rules_of_deformation()
       {{"weight"},
        {"prestretch"},
        "with a prestretch the mass at a place of the mesh is not its volume times the density, "
-       "which "
-       "the weight would need",
+       "which the weight would need",
        "Give the weight as a Force density, or remove the prestretch"},
       {{"solid without a spring that holds"},
        {"finite deformation"},
@@ -123,8 +124,7 @@ std::vector<Rule> rules_of_deformation()
       {{"trapezoidal update"},
        {"finite deformation"},
        "finite deformation needs displacement and pressure at the level at which the step "
-       "balances, "
-       "which the trapezoidal update does not have",
+       "balances, which the trapezoidal update does not have",
        "Set Update = implicit"},
       {{"subsection Exact solution"},
        {"cell-wise mesh that moves"},
@@ -137,10 +137,11 @@ std::vector<Rule> rules_of_deformation()
 }
 
 /// Analyses of bodies that do not move in time, or move for ever. The readers of the sections
-/// Modal, Boundaries and Materials refuse some of it themselves, with the same sentence.
+/// Modal, Boundaries, Materials and Periodic state refuse some of it themselves, with the same
+/// sentence.
 std::vector<Rule> rules_of_analyses()
 {
-  const Names frequency_domain = {"harmonic", "resonances", "periodic response"};
+  const Names frequency_domain = {"harmonic", "resonances", "periodic response", "pulse response"};
   return {
       {{"set Steady/Time of loads"},
        {"transient"},
@@ -150,8 +151,7 @@ std::vector<Rule> rules_of_analyses()
        {"steady", "steady start", "unloaded shape"},
        "the stress of this solid relaxes to zero, so that it has no state at rest",
        "Use a law with a long-term modulus, or Initial state/Type = given and Unloaded shape = "
-       "mesh "
-       "in a run in time"},
+       "mesh in a run in time"},
       {{"liquid"},
        {"modal"},
        "a modal analysis is of solids, which a fluid is not",
@@ -194,14 +194,6 @@ std::vector<Rule> rules_of_analyses()
        {"steady"},
        "there is no wave in a state at rest that could leave",
        "Use 'pressure' or 'resistance', or Analysis = transient"},
-      {{"absorbing end"},
-       {"resonances"},
-       "the tube behind an absorbing end has no waves that die away in time, as a free motion does",
-       "Use 'free', 'fixed', 'resistance' or 'windkessel'"},
-      {{"absorbing end"},
-       {"periodic response"},
-       "the mean of a periodic state is no wave that leaves an absorbing end",
-       "Use 'resistance' or 'windkessel', or Analysis = transient"},
       {{"adaptive steps"},
        {"periodic response"},
        "with an adaptive time step the beats do not have the same times, at which Periodic state "
@@ -214,16 +206,12 @@ std::vector<Rule> rules_of_analyses()
       {{"womersley profile of a liquid that was at rest"},
        {"steady start", "unloaded shape"},
        "the liquid of this profile is at rest before t = 0, and the flow steady",
-       "Set Flow before the start = steady or periodic, or let the run start from rest"},
-      {{"womersley profile"},
-       {"flow curve"},
-       "a womersley profile is for one viscous liquid of constant viscosity",
-       "Use 'flat' or 'parabolic', or name the liquid's 'Region'"},
+       "Set Flow before the start = steady or periodic, or Initial state/Type = given and Unloaded "
+       "shape = mesh"},
       {{"material that is no Hookean solid"},
        {"plane stress"},
        "plane stress is for Hookean solids only: with viscosity or relaxation the strain across "
-       "the "
-       "plane depends on history",
+       "the plane depends on history",
        "Use 'hookean' here, or Model = plane strain or three-dimensional"},
       {{"cell-wise"},
        frequency_domain,
@@ -243,15 +231,14 @@ std::vector<Rule> rules_of_analyses()
        frequency_domain,
        "a womersley profile is that of a flow in time; the frequency domain has none so far",
        "Use 'flat', 'parabolic' or 'table', leave it out with Coupling = pressure, or use Analysis "
-       "= "
-       "transient"},
+       "= transient"},
       {{"set Initial state/Velocity", "set Initial state/Displacement",
-        "set Initial state/Pressure"},
+        "set Initial state/Pressure", "subsection Initial state/Pressures"},
        frequency_domain,
        "a motion that goes on for ever has no initial state",
        "Remove the entry, or use Analysis = transient"},
       {{"set Initial state/Type"},
-       {"harmonic", "resonances"},
+       {"harmonic", "resonances", "pulse response"},
        "a motion that goes on for ever has no initial state",
        "Remove the entry, or use Analysis = transient"},
       {{"iterative solver"},
@@ -275,9 +262,13 @@ std::vector<Rule> rules_of_analyses()
        "a steady flow has no start, and gives the windkessel the charge that it has itself",
        "Remove the entry, or set Analysis = transient"},
       {{"averages of wall shear stress"},
-       {"steady", "modal", "harmonic", "resonances", "periodic response"},
-       "a state without time has no averages",
-       "Leave them out, or set Analysis = transient"}};
+       {"no steps in time"},
+       "averages over time are those of steps in time, which this analysis does not make",
+       "Leave them out, or set Analysis = transient"},
+      {{"adaptive steps"},
+       {"pulse response"},
+       "the times of a pulse response have equal distances",
+       "Set Time step control = fixed; 'Time step' is the distance of the rows"}};
 }
 
 std::vector<Rule> rules_of_convection()

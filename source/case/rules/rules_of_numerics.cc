@@ -101,8 +101,7 @@ std::vector<Rule> rules_of_cells()
       {{"force balance of boundaries"},
        {"velocity-pressure form"},
        "the force balance determines the velocity of the face already: it is one equation twice, "
-       "and "
-       "the pressure of the face stays undetermined",
+       "and the pressure of the face stays undetermined",
        "Choose another"},
       {{"force balance of boundaries"},
        {"explicit pressure form"},
@@ -152,8 +151,7 @@ std::vector<Rule> rules_of_moving_cells()
       {{"outlet"},
        {"cell-wise mesh that moves"},
        "on the cell-wise path the flow rate of an outlet is the one through the section at rest, "
-       "and "
-       "the mesh moves",
+       "and the mesh moves",
        "Prescribe a pressure, or set Discretisation = taylor hood"},
       {{"crank nicolson"},
        {"cell-wise mesh that moves"},
@@ -190,8 +188,7 @@ std::vector<Rule> rules_of_solvers()
         "set Newton/Most Krylov iterations"},
        {"iterative solver"},
        "Linear solver/Type = iterative makes no use of it: each iteration has the tangent of its "
-       "own "
-       "state",
+       "own state",
        "Remove it, or set Linear solver/Type = direct"},
       {{"set Linear solver/Refinement steps", "set Linear solver/Kept factors"},
        nonlinear,

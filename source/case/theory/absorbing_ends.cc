@@ -372,10 +372,6 @@ void AbsorbingEnds::add(Case<dim> &input, ParameterSection root, const bool rest
       std::find_if(problem.conditions.begin(), problem.conditions.end(), is_absorbing);
   if (first == problem.conditions.end())
     return;
-  if (input.analysis.is_steady())
-    boundaries.subsection(first->name)
-        .refuse("Type", "there is no wave in a state at rest that could leave",
-                "Use 'pressure' or 'resistance', or Analysis = transient");
   // Wave theory knows these ends without an impedance of the time domain.
   if (!input.analysis.is_transient() && !input.analysis.is_harmonic())
     return;

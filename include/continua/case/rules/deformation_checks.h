@@ -5,8 +5,8 @@
 
 namespace Continua
 {
-/// The rules of Deformation across sections: what has no place, or none so far, in finite
-/// deformation, and entries that a small one makes no use of. Throws InputError.
+/// What no rule between features covers (see Rule) of finite deformation and of meshes that move:
+/// what depends on numbers, on the mesh or on one boundary. Throws InputError.
 template <int dim>
 void check_deformation(const Case<dim> &input, ParameterSection root);
 } // namespace Continua
