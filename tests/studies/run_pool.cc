@@ -39,7 +39,7 @@ void write_script()
                            "echo \"$*, launched $OMPI_COMM_WORLD_SIZE\" >> arguments\n"
                            "trap 'rmdir at-work.$$' EXIT\n"
                            "trap 'echo kept >> checkpoints; exit 1' TERM\n"
-                           "ls -d at-work.* | wc -l >> counts\n"
+                           "ls -d at-work.* 2>/dev/null | wc -l >> counts\n"
                            "eval \"$2\"\n";
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
 }
