@@ -294,6 +294,7 @@ ENTRIES = {
 
 # Sentences of rules that hold in no file here -> the test that shows them, with their beginning; None: there is none, since it needs two ranks.
 ELSEWHERE = {
+    "a free profile is that of a section which moves, and here the mesh stays": "tests/bad_input/flow/flow_rate_free_on_a_mesh_that_stays.prm",
     "the volume of a cavity is that of the deformed body": "tests/bad_input/cavities/cavity_small_deformation.prm",
     "with small deformation the shape of the mesh is also the one without load": "tests/bad_input/finite/finite_unloaded_small.prm",
     "no region is a solid, and the mesh of the liquids follows no boundary": "tests/bad_input/finite/finite_liquids_alone.prm",
