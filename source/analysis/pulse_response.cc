@@ -188,9 +188,9 @@ void PulseResponse<dim>::write(const std::vector<std::vector<double>> &values)
   input.probes.open(run.directory.file("probes.csv"));
   for (std::size_t j = 0; j <= n_steps; j += stride)
   {
-    std::vector<double> row;
-    for (const std::vector<double> &history : values)
-      row.push_back(history[j]);
+    std::vector<double> row(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      row[i] = values[i][j];
     input.probes.record(contour->times()[j], row);
   }
 }
