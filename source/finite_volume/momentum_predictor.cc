@@ -13,7 +13,7 @@ template <int dim>
 MomentumPredictor<dim>::MomentumPredictor(const CellSystem<dim> &system,
                                           const SplitEquations<dim> &equations,
                                           const FaceLinks<dim> &links)
-    : system(system), equations(equations), links(links)
+    : system(system), equations(equations), links(links), matrix(system.space.mesh)
 {
 }
 
@@ -22,18 +22,13 @@ void MomentumPredictor<dim>::find_couplings()
 {
   const CellSpace<dim> &space = system.space;
   const CellMesh<dim> &mesh = space.mesh;
-  couplings.clear();
   const auto add = [&](const unsigned int f, const double stiffness)
   {
-    const VolumeFace<dim> &surface = mesh.faces()[f];
-    Coupling coupling;
-    for (unsigned int side = 0; side < 2; ++side)
-    {
-      coupling.cells[side] = equations.velocity_index(space.velocities.of_cell(surface.cell(side)));
-      coupling.numbers[side] = mesh.cells()[surface.cell(side)].number;
-    }
-    coupling.stiffness = stiffness;
-    couplings.push_back(coupling);
+    const VolumeFace<dim> &face = mesh.faces()[f];
+    matrix.couple(face,
+                  {{equations.velocity_index(space.velocities.of_cell(face.cell(0))),
+                    equations.velocity_index(space.velocities.of_cell(face.cell(1)))}},
+                  stiffness);
   };
   for (unsigned int f = 0; f < mesh.faces().size(); ++f)
   {
@@ -58,7 +53,7 @@ void MomentumPredictor<dim>::set_row_sums()
   const CellSpace<dim> &space = system.space;
   const CellMesh<dim> &mesh = space.mesh;
   const CellCoefficients &coefficients = system.coefficients();
-  sums.assign(dim * mesh.n_owned_cells(), 0.);
+  std::vector<double> &sums = matrix.row_sums();
   for (unsigned int cell = 0; cell < mesh.n_owned_cells(); ++cell)
   {
     const FiniteVolume<dim> &volume = mesh.cells()[cell];
@@ -80,48 +75,12 @@ void MomentumPredictor<dim>::set_row_sums()
 }
 
 template <int dim>
-std::size_t MomentumPredictor<dim>::n_matrix_entries() const
-{
-  return system.space.mesh.n_owned_cells() + couplings.size();
-}
-
-template <int dim>
-void MomentumPredictor<dim>::factorize(const unsigned int component, SymmetricFactor &factor) const
-{
-  const CellMesh<dim> &mesh = system.space.mesh;
-  SymmetricTriplets matrix;
-  matrix.n = static_cast<int>(mesh.cell_dofs.n_dofs());
-  const auto add = [&](const unsigned int row, const unsigned int column, const double value)
-  {
-    matrix.rows.push_back(static_cast<int>(std::max(row, column)));
-    matrix.columns.push_back(static_cast<int>(std::min(row, column)));
-    matrix.values.push_back(value);
-  };
-  std::vector<int> owned;
-  const unsigned int n_owned = mesh.n_owned_cells();
-  for (unsigned int cell = 0; cell < n_owned; ++cell)
-  {
-    const unsigned int number = mesh.cells()[cell].number;
-    owned.push_back(static_cast<int>(number));
-    add(number, number, sums[dim * cell + component]);
-  }
-  for (const Coupling &coupling : couplings)
-    for (unsigned int side = 0; side < 2; ++side)
-      if (coupling.cells[side] < dim * n_owned)
-      {
-        add(coupling.numbers[side], coupling.numbers[side], coupling.stiffness);
-        // Between two ranks the first cell's puts it in.
-        if (side == 0)
-          add(coupling.numbers[0], coupling.numbers[1], -coupling.stiffness);
-      }
-  factor.factorize(matrix, owned);
-}
-
-template <int dim>
 void MomentumPredictor<dim>::reinit()
 {
+  matrix.reinit(0, dim);
   find_couplings();
   set_row_sums();
+  const std::vector<double> &sums = matrix.row_sums();
   const unsigned int n_owned = system.space.mesh.n_owned_cells();
   component.resize(n_owned);
   factors.clear();
@@ -144,9 +103,9 @@ void MomentumPredictor<dim>::reinit()
       continue;
     }
     factor_of[c] = factors.size();
-    factors.push_back(make_symmetric_factor(DirectSolver::automatic, true, n_matrix_entries(),
+    factors.push_back(make_symmetric_factor(DirectSolver::automatic, true, matrix.n_entries(),
                                             system.space.communicator));
-    factorize(c, *factors.back());
+    matrix.factorize(c, *factors.back());
   }
 }
 
@@ -163,22 +122,6 @@ void MomentumPredictor<dim>::solve(const Vector &residual, Vector &change)
     for (std::size_t cell = 0; cell < component.size(); ++cell)
       d[dim * cell + c] = component[cell];
   }
-}
-
-template <int dim>
-void MomentumPredictor<dim>::multiply(const Vector &x, Vector &product) const
-{
-  const double *const u = x.begin();
-  double *const y = product.begin();
-  const std::size_t n_owned = sums.size();
-  for (std::size_t i = 0; i < n_owned; ++i)
-    y[i] = sums[i] * u[i];
-  for (const Coupling &coupling : couplings)
-    for (unsigned int side = 0; side < 2; ++side)
-      if (coupling.cells[side] < n_owned)
-        for (unsigned int c = 0; c < dim; ++c)
-          y[coupling.cells[side] + c] +=
-              coupling.stiffness * (u[coupling.cells[side] + c] - u[coupling.cells[1 - side] + c]);
 }
 
 template <int dim>

@@ -12,7 +12,7 @@ PressureEquation<dim>::PressureEquation(const CellSystem<dim> &system,
                                         const SplitEquations<dim> &equations,
                                         const FaceLinks<dim> &links,
                                         const FaceBalance<dim> &faces)
-    : system(system), equations(equations), links(links), faces(faces)
+    : system(system), equations(equations), links(links), faces(faces), matrix(system.space.mesh)
 {
 }
 
@@ -21,13 +21,14 @@ void PressureEquation<dim>::reinit()
 {
   const CellMesh<dim> &mesh = system.space.mesh;
   const std::size_t n_owned = mesh.n_owned_cells();
-  sums.resize(n_owned);
+  matrix.reinit(equations.cell_mass().first, 1);
   inverse_diagonal.resize(n_owned);
   cells.resize(n_owned);
   for (std::size_t cell = 0; cell < n_owned; ++cell)
   {
     const FiniteVolume<dim> &volume = mesh.cells()[cell];
-    sums[cell] = system.coefficients().compressibility[volume.material_id] * volume.volume;
+    matrix.row_sums()[cell] =
+        system.coefficients().compressibility[volume.material_id] * volume.volume;
     inverse_diagonal[cell] = 1. / (system.momentum_diagonal()[cell] * volume.volume);
   }
   following.clear();
@@ -39,7 +40,9 @@ void PressureEquation<dim>::reinit()
     else
       following.emplace_back(face.pressure, face.cell);
   find_couplings();
-  factorize();
+  factor = make_symmetric_factor(DirectSolver::automatic, true, matrix.n_entries(),
+                                 system.space.communicator);
+  matrix.factorize(0, *factor);
 }
 
 template <int dim>
@@ -49,18 +52,13 @@ void PressureEquation<dim>::find_couplings()
   const CellMesh<dim> &mesh = space.mesh;
   const std::vector<double> &diagonal = system.momentum_diagonal();
   const bool by_value = system.parameters.boundary_pressure_as == BoundaryPressureAs::value;
-  couplings.clear();
   const auto add = [&](const unsigned int f, const double conductance)
   {
-    const VolumeFace<dim> &surface = mesh.faces()[f];
-    Coupling coupling;
-    for (unsigned int side = 0; side < 2; ++side)
-    {
-      coupling.cells[side] = equations.pressure_index(space.pressures.of_cell(surface.cell(side)));
-      coupling.numbers[side] = mesh.cells()[surface.cell(side)].number;
-    }
-    coupling.conductance = conductance;
-    couplings.push_back(coupling);
+    const VolumeFace<dim> &face = mesh.faces()[f];
+    matrix.couple(face,
+                  {{equations.pressure_index(space.pressures.of_cell(face.cell(0))),
+                    equations.pressure_index(space.pressures.of_cell(face.cell(1)))}},
+                  conductance);
   };
   for (unsigned int f = 0; f < mesh.faces().size(); ++f)
   {
@@ -80,7 +78,7 @@ void PressureEquation<dim>::find_couplings()
     {
       const double of_increment =
           0.25 * way * way * system.coefficients().increment_mobility[region];
-      sums[surface.owner] +=
+      matrix.row_sums()[surface.owner] +=
           std::max(1. / diagonal[surface.owner], of_increment) * surface.area / way;
     }
   }
@@ -102,41 +100,6 @@ void PressureEquation<dim>::find_couplings()
 }
 
 template <int dim>
-void PressureEquation<dim>::factorize()
-{
-  const CellMesh<dim> &mesh = system.space.mesh;
-  SymmetricTriplets matrix;
-  matrix.n = static_cast<int>(mesh.cell_dofs.n_dofs());
-  const auto add = [&](const unsigned int row, const unsigned int column, const double value)
-  {
-    matrix.rows.push_back(static_cast<int>(std::max(row, column)));
-    matrix.columns.push_back(static_cast<int>(std::min(row, column)));
-    matrix.values.push_back(value);
-  };
-  std::vector<int> owned;
-  const unsigned int n_owned = mesh.n_owned_cells();
-  for (unsigned int cell = 0; cell < n_owned; ++cell)
-  {
-    const unsigned int number = mesh.cells()[cell].number;
-    owned.push_back(static_cast<int>(number));
-    add(number, number, sums[cell]);
-  }
-  const unsigned int first = equations.cell_mass().first, end = equations.cell_mass().second;
-  for (const Coupling &coupling : couplings)
-    for (unsigned int side = 0; side < 2; ++side)
-      if (coupling.cells[side] >= first && coupling.cells[side] < end)
-      {
-        add(coupling.numbers[side], coupling.numbers[side], coupling.conductance);
-        // Between two ranks the first cell's puts it in.
-        if (side == 0)
-          add(coupling.numbers[0], coupling.numbers[1], -coupling.conductance);
-      }
-  factor = make_symmetric_factor(DirectSolver::automatic, true, n_owned + couplings.size(),
-                                 system.space.communicator);
-  factor->factorize(matrix, owned);
-}
-
-template <int dim>
 void PressureEquation<dim>::solve(const Vector &residual, Vector &change)
 {
   const unsigned int first = equations.cell_mass().first;
@@ -148,21 +111,6 @@ void PressureEquation<dim>::solve(const Vector &residual, Vector &change)
     d[face] = d[cell];
   for (const unsigned int face : staying)
     d[face] = 0.;
-}
-
-template <int dim>
-void PressureEquation<dim>::multiply(const Vector &x, Vector &product) const
-{
-  const unsigned int first = equations.cell_mass().first, end = equations.cell_mass().second;
-  const double *const p = x.begin();
-  double *const y = product.begin();
-  for (std::size_t cell = 0; cell < sums.size(); ++cell)
-    y[first + cell] = sums[cell] * p[first + cell];
-  for (const Coupling &coupling : couplings)
-    for (unsigned int side = 0; side < 2; ++side)
-      if (coupling.cells[side] >= first && coupling.cells[side] < end)
-        y[coupling.cells[side]] +=
-            coupling.conductance * (p[coupling.cells[side]] - p[coupling.cells[1 - side]]);
 }
 
 template class PressureEquation<2>;

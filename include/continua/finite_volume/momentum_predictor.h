@@ -1,6 +1,7 @@
 #ifndef continua_finite_volume_momentum_predictor_h
 #define continua_finite_volume_momentum_predictor_h
 
+#include <continua/finite_volume/compact_matrix.h>
 #include <continua/finite_volume/face_links.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
@@ -35,35 +36,24 @@ public:
   void solve(const Vector &residual, Vector &change);
   /// product = matrix * x on the cells' entries, each component with its own; x's ghosts up to
   /// date.
-  void multiply(const Vector &x, Vector &product) const;
+  void multiply(const Vector &x, Vector &product) const { matrix.multiply(x, product); }
   /// The products of each component's matrix with ones in all cells, by cell and component.
-  const std::vector<double> &row_sums() const { return sums; }
+  const std::vector<double> &row_sums() const { return matrix.row_sums(); }
   double factor_entries() const;
   double factor_memory() const;
   std::string name() const;
 
 private:
-  /// Between two cells, by the places of their velocities.
-  struct Coupling
-  {
-    std::array<unsigned int, 2> cells;
-    std::array<unsigned int, 2> numbers; ///< global
-    double stiffness;
-  };
-
   const CellSystem<dim> &system;
   const SplitEquations<dim> &equations;
   const FaceLinks<dim> &links;
-  std::vector<Coupling> couplings;
-  std::vector<double> sums; ///< by owned cell and component
+  CompactMatrix<dim> matrix;
   std::vector<std::unique_ptr<SymmetricFactor>> factors;
   std::array<unsigned int, dim> factor_of; ///< by component
   std::vector<double> component;           ///< work space
 
   void find_couplings();
   void set_row_sums();
-  void factorize(unsigned int component, SymmetricFactor &factor) const;
-  std::size_t n_matrix_entries() const;
 };
 } // namespace Continua
 

@@ -1,6 +1,7 @@
 #ifndef continua_finite_volume_pressure_equation_h
 #define continua_finite_volume_pressure_equation_h
 
+#include <continua/finite_volume/compact_matrix.h>
 #include <continua/finite_volume/face_balance.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
@@ -35,9 +36,9 @@ public:
   /// faces' follow their cells' or stay.
   void solve(const Vector &residual, Vector &change);
   /// product = matrix * x on the cells' entries; x's ghosts up to date.
-  void multiply(const Vector &x, Vector &product) const;
+  void multiply(const Vector &x, Vector &product) const { matrix.multiply(x, product); }
   /// The products of the matrix with ones in all cells.
-  const std::vector<double> &row_sums() const { return sums; }
+  const std::vector<double> &row_sums() const { return matrix.row_sums(); }
   /// 1/(a_P V) of this rank's cells, a_P the diagonal of the momentum equations [m s/kg].
   const std::vector<double> &inverse_momentum() const { return inverse_diagonal; }
 
@@ -46,19 +47,12 @@ public:
   double factor_memory() const { return factor ? factor->memory() : 0.; }
 
 private:
-  struct Coupling
-  {
-    std::array<unsigned int, 2> cells;
-    std::array<unsigned int, 2> numbers; ///< global
-    double conductance;
-  };
-
   const CellSystem<dim> &system;
   const SplitEquations<dim> &equations;
   const FaceLinks<dim> &links;
   const FaceBalance<dim> &faces;
-  std::vector<Coupling> couplings;
-  std::vector<double> sums, inverse_diagonal;
+  CompactMatrix<dim> matrix;
+  std::vector<double> inverse_diagonal;
   /// Pressures of faces that follow their cell's: (face, cell), and those that stay.
   std::vector<std::pair<unsigned int, unsigned int>> following;
   std::vector<unsigned int> staying;
@@ -66,7 +60,6 @@ private:
   std::vector<double> cells; ///< work space
 
   void find_couplings();
-  void factorize();
 };
 } // namespace Continua
 
