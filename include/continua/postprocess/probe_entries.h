@@ -31,6 +31,9 @@ struct ProbeLimits
   bool mesh_moves = false;         ///< of liquids
 };
 
+template <int dim>
+class ProbeChecks;
+
 /**
  * One child of the section Probes: its entries, read and checked, and what they ask of a solver.
  * The order of calls: the constructor before there is a mesh, check() and check_limits() on the
@@ -91,6 +94,7 @@ public:
   Place place = Place::point;
 
 private:
+  friend class ProbeChecks<dim>;
   enum class Value
   {
     mean,
@@ -114,10 +118,6 @@ private:
   bool has_reference = false;
 
   void read_entries();
-  /// Refuses entries that do not go together.
-  void check_entries();
-  void check_reference() const;
-  void check_sign_changes() const;
   void set_place();
   void set_requests(const std::vector<std::string> &known_boundaries,
                     const std::vector<std::string> &known_regions,
@@ -139,25 +139,6 @@ private:
   /// The fields by component.
   std::vector<FieldComponent> components(const std::vector<FieldComponent> &fields) const;
   bool asks_for_forces() const;
-  /// Of the cell-wise path: refuses what is not looked at on the present mesh.
-  void check_moving_cells(const std::vector<FieldComponent> &known_fields) const;
-  /// Refuses a cavity's pressure or volume where the boundary encloses none.
-  void check_cavities(const std::vector<BoundaryCondition> &conditions,
-                      const std::vector<FieldComponent> &known_fields) const;
-  /// Refuses a mean over time where no liquid has a wall.
-  void check_walls(const std::vector<BoundaryCondition> &conditions,
-                   const ProbeLimits &limits) const;
-  /// Refuses a point that no cell of the coarse mesh holds, a boundary that the region does not
-  /// touch, a section without area and regions that do not meet.
-  void check_point(const std::string &entry,
-                   const dealii::Point<dim> &point,
-                   const dealii::Triangulation<dim> &coarse_mesh) const;
-  void
-  check_boundaries(const std::set<std::pair<unsigned int, unsigned int>> &boundary_regions) const;
-  void check_section(const std::string &entry,
-                     const ProbeRequest<dim> &of_section,
-                     const dealii::Triangulation<dim> &coarse_mesh) const;
-  void check_interface(const dealii::Triangulation<dim> &coarse_mesh) const;
 };
 } // namespace Continua
 
