@@ -75,7 +75,7 @@ void BoundaryPressures::build()
 std::vector<double> BoundaryPressures::volumes_at(const DistributedVector &displacement)
 {
   return std::any_of(rows.begin(), rows.end(), [](const Row &row) { return row.cavity >= 0; })
-             ? operators.cavity_volumes(displacement)
+             ? operators.cavities()->volumes(displacement)
              : std::vector<double>();
 }
 
@@ -123,11 +123,11 @@ void BoundaryPressures::measure(const BalancedStep &balanced)
     if (row.cavity >= 0)
     {
       row.value = volumes[row.cavity];
-      operators.linearise_cavity(row.cavity, displacement, row.derivative, row.force);
+      operators.cavities()->linearise(row.cavity, displacement, row.derivative, row.force);
       continue;
     }
     // The flow rate out of the body by a velocity, and minus the force of a pressure of 1 Pa.
-    operators.set_flow_of_velocities(conditions[i], displacement, row.force);
+    operators.ports().set_flow_of_velocities(conditions[i], displacement, row.force);
     row.force *= -1.;
     row.derivative.equ(1., row.force);
     row.value = row.derivative * balanced.velocity - row.derivative * balanced.mesh_velocity;

@@ -80,7 +80,7 @@ void DiscreteContinuum<dim>::evaluate_probes(std::vector<double> &values)
 template <int dim>
 double DiscreteContinuum<dim>::divergence()
 {
-  return discretisation->divergence(stepping.present_velocity());
+  return discretisation->products().divergence(stepping.present_velocity());
 }
 
 template <int dim>

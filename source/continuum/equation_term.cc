@@ -19,7 +19,7 @@ public:
                DistributedVector *const forces) const override
   {
     const double density = context.problem.materials[region].density;
-    if (context.operators.reports_change_of_kinetic_energy())
+    if (context.operators.variant().reports_change_of_kinetic_energy())
       return 0.5 * density / step.balanced.step.size() *
              (square(region, step.end, context) - square(region, step.start, context));
     const double further =
@@ -29,7 +29,7 @@ public:
     if (context.has_products_of_step(region))
       context.products->set_inertia(region, step.balanced.step, context.force);
     else
-      context.operators.multiply_mass(region, context.force, step.balanced.acceleration);
+      context.operators.products().multiply_mass(region, context.force, step.balanced.acceleration);
     context.force *= density;
     if (forces != nullptr)
       forces->add(1., context.force);
@@ -49,7 +49,7 @@ private:
   static double
   square(const unsigned int region, const DistributedVector &velocity, TermContext &context)
   {
-    context.operators.multiply_mass(region, context.force, velocity);
+    context.operators.products().multiply_mass(region, context.force, velocity);
     return local_product(context.force, velocity);
   }
 };
@@ -71,8 +71,8 @@ public:
       context.force *= context.products->spring(region);
     }
     else if (context.history.mix_balanced(region, step.balanced.step, context.mixture))
-      context.operators.set_reported_stress_force(region, step.balanced, context.mixture,
-                                                  context.force);
+      context.operators.variant().set_reported_stress_force(region, step.balanced, context.mixture,
+                                                            context.force);
     else
       return 0.;
     if (forces != nullptr)
@@ -84,7 +84,7 @@ public:
                           TermContext &context) const override
   {
     if (is_finite(region, context))
-      return context.operators.nonlinear_relaxation(region);
+      return context.operators.nonlinear()->relaxation_power(region);
     double sum = 0.;
     for (const Branch &branch : context.problem.materials[region].shear.branches)
       if (!std::isinf(branch.relaxation_time))
@@ -92,7 +92,7 @@ public:
         context.history.balanced_displacement(branch.relaxation_time, step.step, context.mixture);
         context.history.forgotten_velocity(branch.relaxation_time, step.step, step.velocity,
                                            context.forgotten);
-        context.operators.multiply_stiffness(region, context.force, context.mixture);
+        context.operators.products().multiply_stiffness(region, context.force, context.mixture);
         sum += branch.shear_modulus * local_product(context.force, context.forgotten);
       }
     return sum;
@@ -109,7 +109,7 @@ public:
     {
       const DistributedVector &internal =
           state.history.internal_displacement(branch.relaxation_time);
-      context.operators.multiply_stiffness(region, context.force, internal);
+      context.operators.products().multiply_stiffness(region, context.force, internal);
       sum += 0.5 * branch.shear_modulus * local_product(context.force, internal);
     }
     return sum;
@@ -139,7 +139,8 @@ public:
     if (context.has_products_of_step(region))
       context.products->set_stiffness_of_velocity(region, step.balanced.step, context.force);
     else
-      context.operators.multiply_stiffness(region, context.force, step.balanced.velocity);
+      context.operators.products().multiply_stiffness(region, context.force,
+                                                      step.balanced.velocity);
     context.force *= shear.viscosity;
     if (forces != nullptr)
       forces->add(1., context.force);
@@ -163,9 +164,9 @@ public:
         context.products->has_divergence(region, step.balanced.step))
       return -local_product(context.products->divergence(region), step.balanced.pressure);
     if (forces == nullptr)
-      return context.operators.pressure_power(region, step.balanced.velocity,
-                                              step.balanced.pressure);
-    context.operators.multiply_gradient(region, context.force, step.balanced.pressure);
+      return context.operators.products().pressure_power(region, step.balanced.velocity,
+                                                         step.balanced.pressure);
+    context.operators.products().multiply_gradient(region, context.force, step.balanced.pressure);
     forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);
   }
@@ -181,7 +182,7 @@ public:
       {
         context.bulk_history.balanced_dilatation(region, k, step.step, context.dilatation);
         context.bulk_history.forgotten_rate(region, k, step.step, context.forgotten_rate);
-        sum += branches[k].bulk_modulus * context.operators.pressure_product(
+        sum += branches[k].bulk_modulus * context.operators.products().pressure_product(
                                               region, context.dilatation, context.forgotten_rate);
       }
     return sum;
@@ -196,11 +197,11 @@ public:
     {
       const DistributedVector &internal = context.bulk_history.internal_dilatation(region, k);
       sum += 0.5 * material.compression.bulk_branches()[k].bulk_modulus *
-             context.operators.pressure_product(region, internal, internal);
+             context.operators.products().pressure_product(region, internal, internal);
     }
     if (material.compression.bulk_branches().empty())
       sum += 0.5 * material.inverse_bulk_modulus() *
-             context.operators.pressure_product(region, state.pressure, state.pressure);
+             context.operators.products().pressure_product(region, state.pressure, state.pressure);
     return sum;
   }
 };
@@ -232,15 +233,15 @@ public:
   {
     context.history.balanced_displacement(std::numeric_limits<double>::infinity(),
                                           step.balanced.step, context.mixture);
-    context.operators.multiply_support_stiffness(region, context.force, context.mixture);
+    context.operators.products().multiply_support_stiffness(region, context.force, context.mixture);
     if (forces != nullptr)
       forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
-    context.operators.multiply_support_stiffness(region, context.force,
-                                                 state.history.displacement());
+    context.operators.products().multiply_support_stiffness(region, context.force,
+                                                            state.history.displacement());
     return 0.5 * local_product(context.force, state.history.displacement());
   }
 };
@@ -254,7 +255,8 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    context.operators.multiply_support_damping(region, context.force, step.balanced.velocity);
+    context.operators.products().multiply_support_damping(region, context.force,
+                                                          step.balanced.velocity);
     if (forces != nullptr)
       forces->add(1., context.force);
     return local_product(context.force, step.balanced.velocity);

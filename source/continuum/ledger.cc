@@ -68,7 +68,7 @@ void Ledger::set_nonlinear_powers(const unsigned int region,
   NonlinearPowers &powers = context.nonlinear_powers;
   powers = {};
   const auto add = [&](const BalancedStep &state, const TermsTaken taken)
-  { operators.add_nonlinear_powers(region, state, balanced.velocity, taken, powers, at_nodes); };
+  { operators.nonlinear()->add_powers(region, state, balanced.velocity, taken, powers, at_nodes); };
   if (!problem.convection.is_explicit() || balanced.step.is_towards_rest ||
       problem.region_model(region) != RegionModel::flow)
   {
@@ -97,7 +97,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
 
   // What the equations leave at the nodes - inertia + inner forces - loads - is the force that
   // moves those of prescribed velocity. Where nothing moves it does no work.
-  const bool reactions = forces_are_wanted || !operators.is_homogeneous();
+  const bool reactions = forces_are_wanted || !operators.prescribed().is_homogeneous();
   forces = 0.;
   operators.loads().add(balance.time, forces);
   sums.push_back(local_product(forces, balanced.velocity));
@@ -169,7 +169,7 @@ Energy Ledger::energy(const State &state)
   for (unsigned int region = 0; region < n_regions; ++region)
   {
     if (operators.is_nonlinear_in(region))
-      context.nonlinear_energy = operators.nonlinear_energy(region, state);
+      context.nonlinear_energy = operators.nonlinear()->energy(region, state);
     for (const auto &term : terms)
       sums.push_back(term->energy(region, state, context));
   }

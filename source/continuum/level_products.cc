@@ -68,8 +68,8 @@ void LevelProducts::advance()
 
 bool LevelProducts::has(const unsigned int region) const
 {
-  return !is_shared && operators.has_level_products() &&
-         !(operators.has_whole_terms() && operators.is_nonlinear_in(region));
+  return !is_shared && operators.products().has_level_products() &&
+         !(operators.has_whole_terms_in(region));
 }
 
 const DistributedVector &
@@ -89,10 +89,10 @@ LevelProducts::product(const unsigned int number, const Kind kind, const bool of
         level.products[other].reinit(velocity);
       level.is_known[other] = true;
     }
-  operators.multiply_levels(number, of_older ? velocity_older : velocity,
-                            of_older ? history.displacement_older() : history.displacement(),
-                            targets[mass_of_velocity], targets[stiffness_of_velocity],
-                            targets[stiffness_of_displacement]);
+  operators.products().multiply_levels(
+      number, of_older ? velocity_older : velocity,
+      of_older ? history.displacement_older() : history.displacement(), targets[mass_of_velocity],
+      targets[stiffness_of_velocity], targets[stiffness_of_displacement]);
   return level.products[kind];
 }
 
@@ -114,7 +114,7 @@ const DistributedVector &LevelProducts::divergence(const unsigned int number)
     return region.divergence;
   if (region.divergence.size() == 0)
     region.divergence = operators.pressure_vector();
-  operators.multiply_divergence(number, region.divergence, velocity);
+  operators.products().multiply_divergence(number, region.divergence, velocity);
   region.divergence_is_known = true;
   return region.divergence;
 }

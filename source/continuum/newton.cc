@@ -37,28 +37,31 @@ private:
 } // namespace
 
 Newton::Newton(const Problem &problem,
-               Operators &operators,
+               NonlinearSystem &terms,
+               LinearSystem &system,
+               const ProductsByRegion &products,
                OutletCoupling &outlets,
                BoundaryPressures &unknown_pressures,
                Log &log)
     : problem(problem),
-      operators(operators),
+      terms(terms),
+      system(system),
       outlets(outlets),
       unknown_pressures(unknown_pressures),
       log(log),
-      residual(problem, operators, outlets),
+      residual(problem, terms, system, products, outlets),
       krylov(BlockKrylov::Method::gmres, 3 * problem.newton.most_krylov_iterations)
 {
 }
 
-void Newton::reinit()
+void Newton::reinit(const DistributedVector &of_velocity, const DistributedVector &of_pressure)
 {
-  residual.reinit();
-  zero_velocity = operators.velocity_vector();
-  velocity_change.reinit(zero_velocity);
-  pressure_change = operators.pressure_vector();
-  krylov.use(operators.solves_with_kept_derivative() ? BlockKrylov::Method::fgmres
-                                                     : BlockKrylov::Method::gmres);
+  residual.reinit(of_velocity, of_pressure);
+  for (DistributedVector *vector : {&zero_velocity, &velocity_change})
+    vector->reinit(of_velocity);
+  pressure_change.reinit(of_pressure);
+  krylov.use(terms.solves_with_kept_derivative() ? BlockKrylov::Method::fgmres
+                                                 : BlockKrylov::Method::gmres);
   krylov.reinit(zero_velocity, pressure_change);
   has_factor = false;
   if (!problem.convection.is_explicit())
@@ -78,7 +81,7 @@ void Newton::solve_by_factor(DistributedVector &momentum_rows,
   const bool has_outlets = problem.mesh_moves && !outlets.is_empty();
   const std::vector<double> of_ports =
       has_outlets ? outlets.port_rows(momentum_rows) : std::vector<double>();
-  operators.solve(zero_velocity, momentum_rows, mass_rows, of_velocity, of_pressure, report);
+  system.solve(zero_velocity, momentum_rows, mass_rows, of_velocity, of_pressure, report);
   if (has_outlets)
     outlets.complete_change(of_ports, of_velocity, of_pressure);
 }
@@ -116,7 +119,7 @@ bool Newton::solve_by_krylov(const NewtonInput &input,
                  problem.newton.krylov_tolerance, 3 * most, of_velocity, of_pressure)
           .iterations;
   // Where each solve around it has iterations of its own, these are the ones that are reported.
-  if (!operators.solves_with_kept_derivative())
+  if (!terms.solves_with_kept_derivative())
     report.linear_iterations += n_iterations;
   krylov_iterations += n_iterations;
   return n_iterations < 3 * most;
@@ -164,7 +167,7 @@ void Newton::begin_step(const NewtonInput &input, BalancedStep &balanced)
   takes_krylov = correction_is_exact = false;
   may_take_krylov = !is_explicit &&
                     (problem.mesh_moves || (outlets.is_empty() && unknown_pressures.is_empty() &&
-                                            operators.has_derivative_products())) &&
+                                            terms.has_derivative_products())) &&
                     problem.newton.slow_iteration == SlowIteration::krylov;
   // The factor leaves out what the mesh's motion does to the liquid, which is much in a long step.
   is_exact_at_once =
@@ -176,14 +179,13 @@ void Newton::prepare_correction(const BalancedStep &balanced,
                                 const unsigned int iteration,
                                 StepReport &report)
 {
-  correction_is_exact =
-      is_explicit || (operators.solves_with_kept_derivative() && !problem.mesh_moves);
+  correction_is_exact = is_explicit || (terms.solves_with_kept_derivative() && !problem.mesh_moves);
   const bool can_take_krylov = has_factor && !factor_is_poor && may_take_krylov;
   if ((is_slow || is_exact_at_once) && can_take_krylov)
   {
     takes_krylov = true;
     if (!residual.takes_differences())
-      operators.keep_derivative(balanced);
+      terms.keep_derivative(balanced);
   }
   else if (is_explicit)
   {
@@ -191,15 +193,15 @@ void Newton::prepare_correction(const BalancedStep &balanced,
     if (!has_factor)
     {
       make_factor(at_rest, iteration, report);
-      if (!operators.solves_with_kept_derivative())
-        operators.keep_derivative(at_rest);
+      if (!terms.solves_with_kept_derivative())
+        terms.keep_derivative(at_rest);
     }
   }
   else if (is_slow || !has_factor)
     make_factor(balanced, iteration, report);
   // On a mesh that moves the derivative that is kept takes the place of a factor.
-  else if (operators.solves_with_kept_derivative() && !problem.mesh_moves)
-    operators.keep_derivative(balanced);
+  else if (terms.solves_with_kept_derivative() && !problem.mesh_moves)
+    terms.keep_derivative(balanced);
 }
 
 void Newton::make_factor(const BalancedStep &balanced,
@@ -210,7 +212,7 @@ void Newton::make_factor(const BalancedStep &balanced,
   try
   {
     const FactorTime time(log.timer());
-    if (operators.linearise(balanced))
+    if (terms.linearise(balanced))
       ++report.factors;
   }
   catch (const RunError &error)
@@ -238,12 +240,12 @@ void Newton::correct(const NewtonInput &input,
 {
   if (takes_krylov)
     correction_is_exact = correct_by_krylov(input, balanced, scales, report);
-  else if (operators.solves_with_kept_derivative() && !problem.mesh_moves)
+  else if (terms.solves_with_kept_derivative() && !problem.mesh_moves)
   {
     // An inexact solve leaves a part of its right-hand side. That is the residual, without the
     // ports' forces it would be much more: their part of the correction is taken out again.
-    operators.solve(zero_velocity, residual.momentum_work, residual.mass_work, velocity_change,
-                    pressure_change, report);
+    system.solve(zero_velocity, residual.momentum_work, residual.mass_work, velocity_change,
+                 pressure_change, report);
     outlets.add_pressure_responses(-1., velocity_change, pressure_change);
   }
   else
@@ -280,7 +282,7 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
         (iteration > 0 || outlets.is_empty() || problem.mesh_moves))
       break;
     if (!convergence.is_finite() || iteration == problem.newton.maximum_iterations)
-      convergence.fail(problem, operators, residual.momentum_work, residual.mass_work);
+      convergence.fail(problem, terms, residual.momentum_work, residual.mass_work);
     prepare_correction(balanced, convergence.is_slow(), iteration, report);
     correct(input, balanced, convergence.scales(), report);
   }

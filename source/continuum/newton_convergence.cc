@@ -60,7 +60,7 @@ bool NewtonConvergence::is_solved(const bool volume_is_round_off) const
 }
 
 void NewtonConvergence::fail(const Problem &problem,
-                             const Operators &operators,
+                             const NonlinearSystem &terms,
                              const DistributedVector &momentum,
                              const DistributedVector &mass) const
 {
@@ -88,7 +88,7 @@ void NewtonConvergence::fail(const Problem &problem,
   else
     text << "met a residual that is no number";
   text << " of " << (is_of_momentum ? "momentum" : "volume") << ' '
-       << operators.place_of_largest(momentum, mass, is_of_momentum) << ' ';
+       << terms.place_of_largest(momentum, mass, is_of_momentum) << ' ';
   if (has_numbers)
     text << "after " << iteration << " iterations (Newton/Maximum iterations)";
   else

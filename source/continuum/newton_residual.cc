@@ -24,25 +24,26 @@ double largest_of(const DistributedVector &residual)
 } // namespace
 
 NewtonResidual::NewtonResidual(const Problem &problem,
-                               Operators &operators,
+                               NonlinearSystem &terms,
+                               LinearSystem &system,
+                               const ProductsByRegion &products,
                                OutletCoupling &outlets)
-    : problem(problem), operators(operators), outlets(outlets)
+    : problem(problem), terms(terms), system(system), products(products), outlets(outlets)
 {
 }
 
-void NewtonResidual::reinit()
+void NewtonResidual::reinit(const DistributedVector &zero_velocity,
+                            const DistributedVector &zero_pressure)
 {
-  momentum = operators.velocity_vector();
-  for (DistributedVector *vector : {&past_acceleration, &momentum_work})
-    vector->reinit(momentum);
-  mass = operators.pressure_vector();
-  for (DistributedVector *vector : {&mass_work, &volumes})
-    vector->reinit(mass);
+  for (DistributedVector *vector : {&momentum, &past_acceleration, &momentum_work})
+    vector->reinit(zero_velocity);
+  for (DistributedVector *vector : {&mass, &mass_work, &volumes})
+    vector->reinit(zero_pressure);
   DistributedVector one(mass);
   one = 1.;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    operators.multiply_pressure_mass(region, mass_work, one);
+    products.multiply_pressure_mass(region, mass_work, one);
     volumes.add(1., mass_work);
   }
   if (problem.convection.is_explicit())
@@ -76,8 +77,8 @@ void NewtonResidual::set_rates(const NewtonInput &input, BalancedStep &balanced)
     balanced.displacement.equ(1., input.predicted_displacement);
     balanced.displacement.add(BranchHistory::step_displacement(input.step), balanced.velocity);
   }
-  operators.move_mesh(balanced);
-  operators.check_mesh(balanced);
+  terms.move_mesh(balanced);
+  terms.check_mesh(balanced);
 }
 
 void NewtonResidual::subtract_linear_terms(const SystemCoefficients &coefficients,
@@ -93,21 +94,21 @@ void NewtonResidual::subtract_linear_terms(const SystemCoefficients &coefficient
     rows.add(-1., term);
   };
   momentum_work = 0.;
-  operators.add_velocity_product(velocity, momentum_work);
+  system.add_velocity_product(velocity, momentum_work);
   subtract(momentum_work, momentum_rows, scales.momentum);
   mass_work = 0.;
-  operators.add_divergence(velocity, mass_work);
+  system.add_divergence(velocity, mass_work);
   subtract(mass_work, mass_rows, scales.mass);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     if (!coefficients.has(region))
       continue;
-    operators.multiply_gradient(region, momentum_work, pressure);
+    products.multiply_gradient(region, momentum_work, pressure);
     subtract(momentum_work, momentum_rows, scales.momentum);
     const double compressibility = coefficients.compressibility[region];
     if (compressibility == 0.)
       continue;
-    operators.multiply_pressure_mass(region, mass_work, pressure);
+    products.multiply_pressure_mass(region, mass_work, pressure);
     mass_work *= compressibility;
     subtract(mass_work, mass_rows, scales.mass);
   }
@@ -119,7 +120,7 @@ void NewtonResidual::set_explicit_terms(const BalancedStep &balanced)
   mass_work = 0.;
   if (!has_first)
   {
-    operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
+    terms.add(balanced, momentum_work, mass_work);
     first_velocity.equ(1., balanced.velocity);
     first_pressure.equ(1., balanced.pressure);
     first_momentum.equ(1., momentum_work);
@@ -131,7 +132,7 @@ void NewtonResidual::set_explicit_terms(const BalancedStep &balanced)
   velocity_way.add(-1., first_velocity);
   pressure_way.equ(1., balanced.pressure);
   pressure_way.add(-1., first_pressure);
-  operators.add_derivative_product(velocity_way, pressure_way, momentum_work, mass_work);
+  terms.add_derivative_product(velocity_way, pressure_way, momentum_work, mass_work);
   momentum_work.add(1., first_momentum);
   mass_work.add(1., first_mass);
 }
@@ -148,7 +149,7 @@ NewtonResidual::set(const NewtonInput &input, const BalancedStep &balanced, cons
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (!input.coefficients.has(region))
     {
-      operators.multiply_mass(region, momentum_work, balanced.velocity);
+      products.multiply_mass(region, momentum_work, balanced.velocity);
       largest.momentum =
           std::max(largest.momentum,
                    input.step.a0 * problem.materials[region].density * momentum_work.linfty_norm());
@@ -159,16 +160,16 @@ NewtonResidual::set(const NewtonInput &input, const BalancedStep &balanced, cons
   {
     momentum_work = 0.;
     mass_work = 0.;
-    operators.add_nonlinear_terms(balanced, momentum_work, mass_work);
+    terms.add(balanced, momentum_work, mass_work);
   }
-  operators.add_flux_correction(balanced.pressure, mass_work);
+  system.add_flux_correction(balanced.pressure, mass_work);
   largest.momentum = std::max(largest.momentum, momentum_work.linfty_norm());
   momentum.add(-1., momentum_work);
   largest.mass = std::max(largest.mass, mass_work.linfty_norm());
   mass.add(-1., mass_work);
 
   ResidualNorms norms;
-  const ResidualScales scales = operators.residual_scales(balanced.velocity, balanced.pressure);
+  const ResidualScales scales = terms.residual_scales(balanced.velocity, balanced.pressure);
   norms.momentum_round_off = ResidualNorms::round_off * std::max(largest.momentum, scales.momentum);
   norms.mass_round_off = ResidualNorms::round_off * std::max(largest.mass, scales.mass);
   // On a mesh that stays each solve has the ports' forces anew.
@@ -213,7 +214,7 @@ void NewtonResidual::add_differences(const BalancedStep &balanced,
   shifted.step = balanced.step;
   shifted.boundary_pressures = balanced.boundary_pressures;
   if (problem.mesh_moves)
-    operators.set_mesh_change(balanced.step, of_velocity, mesh_change);
+    terms.set_mesh_change(balanced.step, of_velocity, mesh_change);
   for (const double sign : {1., -1.})
   {
     const auto shift = [&](DistributedVector &target, const DistributedVector &value,
@@ -239,7 +240,7 @@ void NewtonResidual::add_differences(const BalancedStep &balanced,
     }
     momentum_work = 0.;
     mass_work = 0.;
-    operators.add_nonlinear_terms(shifted, momentum_work, mass_work);
+    terms.add(shifted, momentum_work, mass_work);
     if (problem.mesh_moves)
     {
       outlets.measure(shifted);
@@ -272,7 +273,7 @@ void NewtonResidual::set_derivative_product(const NewtonInput &input,
   {
     momentum_work = 0.;
     mass_work = 0.;
-    operators.add_derivative_product(of_velocity, of_pressure, momentum_work, mass_work);
+    terms.add_derivative_product(of_velocity, of_pressure, momentum_work, mass_work);
     momentum_rows.add(1., momentum_work);
     mass_rows.add(1., mass_work);
   }
@@ -284,11 +285,11 @@ void NewtonResidual::restrict_rows(DistributedVector &momentum_rows,
 {
   if (!problem.mesh_moves || outlets.is_empty())
   {
-    operators.restrict_residuals(momentum_rows, mass_rows);
+    system.restrict_residuals(momentum_rows, mass_rows);
     return;
   }
   const std::vector<double> of_ports = outlets.port_rows(momentum_rows);
-  operators.restrict_residuals(momentum_rows, mass_rows);
+  system.restrict_residuals(momentum_rows, mass_rows);
   outlets.set_port_rows(of_ports, momentum_rows);
 }
 

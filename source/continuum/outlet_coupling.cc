@@ -54,7 +54,7 @@ void OutletCoupling::build()
       Port &port = ports.back();
       port.outlet = o;
       port.condition = c;
-      const DistributedVector flow = operators.flow_of_velocities(c);
+      const DistributedVector flow = operators.ports().flow_of_velocities(c);
       port.flow = sparse(flow);
       port.holds_flow = problem.conditions[c].normal.flow != nullptr;
       // The waves that an absorbing end lets pass are those of matter, also of the wall's.
@@ -63,7 +63,7 @@ void OutletCoupling::build()
       if (port.holds_flow)
       {
         // A flow of 1 is wanted, out of the body.
-        DistributedVector profile = operators.flow_profile(c);
+        DistributedVector profile = operators.ports().flow_profile(c);
         profile *= 1. / (flow * profile);
         port.velocity = sparse(profile);
         port.square_of_velocity = profile.norm_sqr();
@@ -111,13 +111,14 @@ void OutletCoupling::respond(StepReport &report)
     for (const auto &[index, value] : entries)
       vector.begin()[index] = value;
   };
-  // Before any solve, see Operators::set_reaction(). The right sides wait where the responses come.
+  // Before any solve, see LinearSystem::set_reaction(). The right sides wait where the responses
+  // come.
   for (Port &port : ports)
     if (port.holds_flow)
     {
       set(port.velocity, prescribed);
-      operators.set_reaction(prescribed, momentum, mass, port.velocity_response,
-                             port.pressure_response);
+      operators.system().set_reaction(prescribed, momentum, mass, port.velocity_response,
+                                      port.pressure_response);
       port.momentum_of_velocity = sparse(momentum);
       port.mass_of_velocity = sparse(mass);
     }
@@ -136,8 +137,8 @@ void OutletCoupling::respond(StepReport &report)
       momentum *= -1.;
       mass = 0.;
     }
-    operators.solve(prescribed, momentum, mass, port.velocity_response, port.pressure_response,
-                    report);
+    operators.system().solve(prescribed, momentum, mass, port.velocity_response,
+                             port.pressure_response, report);
   }
   std::vector<double> entries;
   for (const Port &row : ports)
@@ -249,7 +250,7 @@ void OutletCoupling::take_sections(const DistributedVector &mesh_displacement)
 {
   for (Port &port : ports)
   {
-    operators.set_flow_of_velocities(port.condition, mesh_displacement, section);
+    operators.ports().set_flow_of_velocities(port.condition, mesh_displacement, section);
     port.flow = sparse(section);
   }
 }
@@ -261,7 +262,8 @@ std::vector<double> OutletCoupling::present_flow_rates(const DistributedVector &
     if (problem.mesh_moves)
     {
       // The ports have the sections of the level that the last step balanced.
-      operators.set_flow_of_velocities(port.condition, *operators.mesh_displacement(), section);
+      operators.ports().set_flow_of_velocities(port.condition, *operators.mesh_displacement(),
+                                               section);
       flows.push_back(product(sparse(section), velocity));
     }
     else

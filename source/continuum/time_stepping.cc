@@ -35,11 +35,13 @@ TimeStepping::TimeStepping(const Problem &problem, Operators &operators, Log &lo
       outlets(problem, operators),
       unknown_pressures(problem, operators),
       wall_shear(problem, operators),
-      newton(problem, operators, outlets, unknown_pressures, log),
       products(problem, operators, history, velocity, velocity_older),
       ledger(problem, operators, outlets, history, bulk_history, &products),
       kept([this](StateVisitor &visitor) { visit(visitor); })
 {
+  if (operators.is_nonlinear())
+    newton.emplace(problem, *operators.nonlinear(), operators.system(), operators.products(),
+                   outlets, unknown_pressures, log);
 }
 
 void TimeStepping::initialise()
@@ -56,6 +58,14 @@ void TimeStepping::initialise()
   pressure_known.equ(1., pressure);
   operators.start_from(present());
   wall_shear.start(present());
+}
+
+void TimeStepping::forget_linearisation() const
+{
+  if (!newton)
+    return;
+  newton->forget_factor();
+  operators.nonlinear()->forget_linearisation();
 }
 
 std::vector<bool> TimeStepping::nodes_of_solids() const
@@ -92,8 +102,7 @@ void TimeStepping::start_from_present_state()
   pressure_older.equ(1., pressure);
   pressure_known.equ(1., pressure);
   kept.forget();
-  newton.forget_factor();
-  operators.forget_linearisation();
+  forget_linearisation();
   products.forget();
   ledger.forget_forces();
   outlets.start_from_rest();
@@ -106,8 +115,7 @@ void TimeStepping::begin_unloaded_shape()
   history.displacement().equ(-1., *operators.unloaded_displacement());
   stop_finite_solids(velocity);
   products.forget();
-  newton.forget_factor();
-  operators.forget_linearisation();
+  forget_linearisation();
 }
 
 void TimeStepping::keep_unloaded_shape()
@@ -133,8 +141,8 @@ void TimeStepping::setup()
   wall_shear.reinit();
   products.reinit();
   ledger.reinit();
-  if (operators.is_nonlinear())
-    newton.reinit();
+  if (newton)
+    newton->reinit(zero_velocity, zero_pressure);
   for (DistributedVector *vector :
        {&balanced.velocity, &balanced.acceleration, &balanced.prescribed, &prescribed, &momentum,
         &velocity_work, &mixture})
@@ -189,21 +197,23 @@ void TimeStepping::report_exponential_branches(const Step &step)
 
 StepReport TimeStepping::advance(const Step &given_step)
 {
-  const Step step = operators.own_step(given_step);
+  const Step step = operators.variant().adapted(given_step);
   StepReport report;
   try
   {
-    if (!operators.solves_for_displacement() && kept.move_older_level(step))
+    if (!operators.variant().solves_for_displacement() && kept.move_older_level(step))
       products.forget_older();
     operators.begin_step(step, present());
-    if (operators.solves_for_displacement())
-      operators.make_displacement_step(step, velocity, history.displacement(), balanced, report);
+    if (operators.variant().solves_for_displacement())
+      operators.variant().make_displacement_step(step, velocity, history.displacement(), balanced,
+                                                 report);
     else
       balance(step, report);
   }
   catch (const StepFailure &error)
   {
-    newton.forget_factor();
+    if (newton)
+      newton->forget_factor();
     throw StepFailure(text_of(step, error));
   }
   catch (const RunError &error)
@@ -226,11 +236,11 @@ void TimeStepping::balance(const Step &step, StepReport &report)
     SectionTimer::Scope scope(log.timer(), "right-hand side");
     set_momentum(step);
     set_mass(step);
-    if (!operators.is_homogeneous())
+    if (!operators.prescribed().is_homogeneous())
     {
       set_prescribed(step);
       if (!operators.is_nonlinear())
-        operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
+        operators.system().eliminate_prescribed(balanced.prescribed, momentum, mass);
     }
   }
   SectionTimer::Scope scope(log.timer(), "solve");
@@ -239,13 +249,13 @@ void TimeStepping::balance(const Step &step, StepReport &report)
     iterate(step, change != SystemChange::none, report);
     return;
   }
-  if (operators.starts_from_guess())
+  if (operators.system().starts_from_guess())
   {
     balanced.velocity.equ(1., velocity);
     balanced.pressure.equ(1., pressure);
   }
-  operators.solve(balanced.prescribed, momentum, mass, balanced.velocity, balanced.pressure,
-                  report);
+  operators.system().solve(balanced.prescribed, momentum, mass, balanced.velocity,
+                           balanced.pressure, report);
   outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
   outlets.finish_step(step);
 }
@@ -255,13 +265,13 @@ void TimeStepping::iterate(const Step &step, const bool system_is_new, StepRepor
   extrapolate_velocity(step);
   if (step.is_towards_rest)
     stop_finite_solids(balanced.velocity);
-  operators.set_prescribed(balanced.prescribed, balanced.velocity);
+  operators.prescribed().set_prescribed(balanced.prescribed, balanced.velocity);
   balanced.pressure.equ(1., pressure);
   balanced.boundary_pressures = unknown_pressures.pressures();
   balanced.step = step;
   if (problem.has_regions_of(RegionModel::finite_solid))
     history.predict_displacement(step, velocity, mixture);
-  newton.solve(
+  newton->solve(
       {step, coefficients, system_is_new, momentum, mass, pressure_work, velocity, mixture},
       balanced, report);
 }
@@ -305,7 +315,7 @@ SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (is_whole(region))
       coefficients.leave_out(region);
-  SystemChange change = operators.prepare(coefficients, step.pressure_time);
+  SystemChange change = operators.system().prepare(coefficients, step.pressure_time);
   if (change == SystemChange::none && is_other && operators.is_nonlinear())
     change = SystemChange::coefficients;
   if (change != SystemChange::none && !operators.is_nonlinear())
@@ -334,14 +344,14 @@ void TimeStepping::set_momentum(const Step &step)
       momentum.add(density, products.past_inertia(region, step));
     else
     {
-      operators.multiply_mass(region, balanced.velocity, velocity_work);
+      operators.products().multiply_mass(region, balanced.velocity, velocity_work);
       momentum.add(density, balanced.velocity);
     }
     if (products.is_elastic(region))
       products.add_past_stress(region, step, momentum);
     else if (history.predict(region, step, velocity, mixture))
     {
-      operators.multiply_past_stiffness(region, balanced.velocity, mixture);
+      operators.variant().multiply_past_stiffness(region, balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);
     }
   }
@@ -350,7 +360,7 @@ void TimeStepping::set_momentum(const Step &step)
     history.predict_displacement(step, velocity, mixture);
     for (unsigned int region = 0; region < problem.materials.size(); ++region)
     {
-      operators.multiply_support_stiffness(region, balanced.velocity, mixture);
+      operators.products().multiply_support_stiffness(region, balanced.velocity, mixture);
       momentum.add(-1., balanced.velocity);
     }
   }
@@ -368,7 +378,7 @@ void TimeStepping::set_momentum(const Step &step)
 void TimeStepping::set_mass(const Step &step)
 {
   mass = 0.;
-  if (!operators.has_pressure())
+  if (!operators.variant().has_pressure())
     return;
   // The pressure of the past.
   pressure_work.equ(step.pressure_old, pressure);
@@ -384,8 +394,8 @@ void TimeStepping::set_mass(const Step &step)
       bulk_history.predict(region, step, mass_work);
     if (relaxes || compressibility != 0.)
     {
-      operators.multiply_pressure_mass(region, balanced.pressure,
-                                       relaxes ? mass_work : pressure_work);
+      operators.products().multiply_pressure_mass(region, balanced.pressure,
+                                                  relaxes ? mass_work : pressure_work);
       mass.add(compressibility, balanced.pressure);
     }
     if (step.divergence_old && !relaxes)
@@ -395,22 +405,22 @@ void TimeStepping::set_mass(const Step &step)
         mass.add(-1., products.divergence(region));
       else
       {
-        operators.set_past_dilatation(region, present(), balanced.pressure);
+        operators.variant().set_past_dilatation(region, present(), balanced.pressure);
         mass.add(-1., balanced.pressure);
       }
     }
   }
-  if (!operators.corrects_fluxes())
+  if (!operators.variant().corrects_fluxes())
     return;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (bulk_history.has(region))
       bulk_history.predict(region, step, pressure_work);
-  operators.add_past_flux_correction(pressure_work, mass);
+  operators.variant().add_past_flux_correction(pressure_work, mass);
 }
 
 void TimeStepping::set_prescribed(const Step &step)
 {
-  operators.evaluate_prescribed(step.extrapolate ? step.time : step.balance_time, prescribed);
+  operators.prescribed().evaluate(step.extrapolate ? step.time : step.balance_time, prescribed);
   if (!step.extrapolate)
   {
     balanced.prescribed.equ(step.load_factor, prescribed);
@@ -418,14 +428,14 @@ void TimeStepping::set_prescribed(const Step &step)
   }
   // The end of the step has what is prescribed there, so its middle the mean of that and of the
   // start.
-  operators.prescribed_part(velocity, balanced.prescribed);
+  operators.prescribed().prescribed_part(velocity, balanced.prescribed);
   balanced.prescribed.sadd(0.5, 0.5, prescribed);
   outlets.leave_out_ports(balanced.prescribed);
 }
 
 void TimeStepping::finish(const Step &step)
 {
-  if (!operators.solves_for_displacement())
+  if (!operators.variant().solves_for_displacement())
   {
     balanced.acceleration.add(step.a0, balanced.velocity);
     history.advance(step, velocity, balanced.velocity);
@@ -475,7 +485,7 @@ void TimeStepping::extrapolate_pressure(const Step &step)
 
 void TimeStepping::deform_by_imbalance(const double time)
 {
-  if (!operators.has_massless_velocities())
+  if (!operators.variant().has_massless_velocities())
     return;
   momentum = 0.;
   operators.loads().add(time, momentum);
@@ -483,9 +493,9 @@ void TimeStepping::deform_by_imbalance(const double time)
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     set_mixture(present(), region, problem.materials[region], mixture);
-    operators.multiply_stiffness(region, velocity_work, mixture);
+    operators.products().multiply_stiffness(region, velocity_work, mixture);
     momentum.add(-1., velocity_work);
-    operators.multiply_gradient(region, velocity_work, pressure);
+    operators.products().multiply_gradient(region, velocity_work, pressure);
     momentum.add(-1., velocity_work);
   }
   deform_massless();
@@ -493,7 +503,7 @@ void TimeStepping::deform_by_imbalance(const double time)
 
 void TimeStepping::deform_by_jump(const Step &step)
 {
-  if (step.update != Update::trapezoidal || !operators.has_massless_velocities() ||
+  if (step.update != Update::trapezoidal || !operators.variant().has_massless_velocities() ||
       !operators.loads().jumps(step.time_old, step.balance_time))
     return;
   // The load's change in the step, less what the step before says of its smooth part.
@@ -510,7 +520,7 @@ void TimeStepping::deform_by_jump(const Step &step)
 
 void TimeStepping::deform_massless()
 {
-  if (!operators.deform_at_once(momentum, velocity_work, pressure_work))
+  if (!operators.variant().deform_at_once(momentum, velocity_work, pressure_work))
     return;
   StateVectors displacements;
   history.visit(displacements);
@@ -548,9 +558,9 @@ double TimeStepping::change_at_rest(const Step &step)
     }
     const auto force_of = [&](const DistributedVector &of_velocity)
     {
-      operators.multiply_stiffness(region, velocity_work, of_velocity);
+      operators.products().multiply_stiffness(region, velocity_work, of_velocity);
       velocity_work *= problem.materials[region].shear.viscosity;
-      operators.multiply_mass(region, momentum, of_velocity);
+      operators.products().multiply_mass(region, momentum, of_velocity);
       velocity_work.add(step.a0 * problem.materials[region].density, momentum);
       return velocity_work.linfty_norm();
     };
@@ -558,7 +568,7 @@ double TimeStepping::change_at_rest(const Step &step)
     whole = force_of(mixture);
     mixture.add(-1., velocity);
     change = force_of(mixture);
-    operators.multiply_gradient(region, velocity_work, balanced.pressure);
+    operators.products().multiply_gradient(region, velocity_work, balanced.pressure);
     whole = std::max(whole, least_share * velocity_work.linfty_norm());
   }
   Utilities::MPI::max(sizes, problem.communicator, sizes);
@@ -594,7 +604,7 @@ void TimeStepping::solve_steady(const double time)
   {
     SectionTimer::Scope scope(log.timer(), "factor");
     coefficients.set_steady(problem);
-    if (operators.prepare(coefficients, 1.) != SystemChange::none && !solid)
+    if (operators.system().prepare(coefficients, 1.) != SystemChange::none && !solid)
       outlets.respond(report);
   }
   momentum = 0.;
@@ -603,16 +613,16 @@ void TimeStepping::solve_steady(const double time)
   outlets.take_forces(momentum);
   balanced.prescribed = 0.;
   // A solid at rest has no velocity to prescribe: its supports hold.
-  if (!solid && !operators.is_homogeneous())
+  if (!solid && !operators.prescribed().is_homogeneous())
   {
-    operators.evaluate_prescribed(time, prescribed);
+    operators.prescribed().evaluate(time, prescribed);
     balanced.prescribed.equ(1., prescribed);
-    operators.eliminate_prescribed(balanced.prescribed, momentum, mass);
+    operators.system().eliminate_prescribed(balanced.prescribed, momentum, mass);
   }
   {
     SectionTimer::Scope scope(log.timer(), "solve");
     velocity_work = 0.;
-    operators.solve(balanced.prescribed, momentum, mass, velocity_work, pressure, report);
+    operators.system().solve(balanced.prescribed, momentum, mass, velocity_work, pressure, report);
   }
   // Nothing flows out of a solid at rest.
   if (!solid)
@@ -641,10 +651,10 @@ StepError TimeStepping::step_error()
   SectionTimer::Scope scope(log.timer(), "step error");
   kept.velocity_error(velocity.begin(), velocity_work.begin(), velocity.locally_owned_size());
   // Prescribed velocities are exact, whatever is predicted of them.
-  operators.clear_prescribed(velocity_work);
+  operators.prescribed().clear_prescribed(velocity_work);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    operators.multiply_mass(region, momentum, velocity_work);
+    operators.products().multiply_mass(region, momentum, velocity_work);
     error.kinetic_energy +=
         0.5 * problem.materials[region].density * local_product(velocity_work, momentum);
   }
@@ -666,13 +676,13 @@ void TimeStepping::return_to_kept_state()
 
 bool TimeStepping::data_jumps(const double begin, const double end) const
 {
-  return operators.loads().jumps(begin, end) || operators.prescribed_velocity_jumps(begin, end) ||
+  return operators.loads().jumps(begin, end) || operators.prescribed().jumps(begin, end) ||
          outlets.jumps(begin, end) || unknown_pressures.jumps(begin, end);
 }
 
 State TimeStepping::state()
 {
-  operators.complete_pressure(history.displacement(), pressure);
+  operators.variant().complete_pressure(history.displacement(), pressure);
   const DistributedVector *const of_mesh = operators.mesh_displacement();
   unknown_pressures.states(of_mesh != nullptr ? *of_mesh : history.displacement());
   return present();
@@ -712,8 +722,7 @@ void TimeStepping::transfer()
 
 void TimeStepping::save(ArchiveWriter &archive) const
 {
-  newton.forget_factor();
-  operators.forget_linearisation();
+  forget_linearisation();
   save_state(archive, operators.numbering(), kept);
 }
 

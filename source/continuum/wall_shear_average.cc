@@ -30,24 +30,24 @@ void WallShearAverage::start(const State &state)
   sum = 0.;
   magnitude_sum = 0.;
   time = 0.;
-  operators.set_wall_shear_stress(state, present);
+  operators.wall_shear()->set(state, present);
 }
 
 void WallShearAverage::follow_mesh(const State &state)
 {
   if (!is_on())
     return;
-  operators.set_wall_shear_stress(state, present);
+  operators.wall_shear()->set(state, present);
   // Nodes that are new inside the liquid have got values between those of a wall and 0.
-  operators.keep_walls_alone(sum);
-  operators.keep_walls_alone(magnitude_sum);
+  operators.wall_shear()->keep_walls_alone(sum);
+  operators.wall_shear()->keep_walls_alone(magnitude_sum);
 }
 
 void WallShearAverage::advance(const Step &step, const State &state)
 {
   if (!is_on())
     return;
-  operators.set_wall_shear_stress(state, next);
+  operators.wall_shear()->set(state, next);
   const double size = step.time - step.time_old,
                begin = std::max(step.time_old, problem.wall_shear_window.begin),
                end = std::min(step.time, problem.wall_shear_window.end);
@@ -65,7 +65,7 @@ void WallShearAverage::add(const double fraction, const double weight)
   between.equ(1. - fraction, present);
   between.add(fraction, next);
   sum.add(weight, between);
-  operators.set_magnitudes_at_walls(between, magnitudes);
+  operators.wall_shear()->set_magnitudes(between, magnitudes);
   magnitude_sum.add(weight, magnitudes);
 }
 } // namespace Continua

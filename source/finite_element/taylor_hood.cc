@@ -6,7 +6,6 @@
 #include <continua/finite_element/looking/traction_jump.h>
 #include <continua/finite_element/products/matrix_free_regions.h>
 #include <continua/finite_element/products/supports.h>
-#include <continua/finite_element/space/place_of_entry.h>
 #include <continua/finite_element/taylor_hood_harmonic.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
 
@@ -26,18 +25,20 @@ TaylorHood<dim>::TaylorHood(parallel::TriangulationBase<dim> &triangulation,
       operators(problem.regions.size()),
       load_list(space, problem),
       linear_solver(parameters.linear_solver),
-      products(space, problem, operators),
+      linear_products(space, problem, operators),
+      plain_step(linear_products),
       metrics(MetricHistory<dim>::make(space, problem)),
       moving_mesh(MovingMesh<dim>::make(space, problem, log)),
       terms(space, problem, linear_solver, metrics.get()),
       systems(
           space, problem, operators, constraints, terms, linear_solver, parameters.outlook, log),
-      ends_and_cavities(space, problem),
+      nonlinear_system(space, problem, linear_products, terms, systems, moving_mesh.get()),
+      ends_and_cavities(space, problem, load_list),
       mesh_transfer(space),
       evaluation(space, problem, metrics.get()),
-      wall_shear(space, problem),
+      wall_shear_stress(space, problem),
       motion(space, problem),
-      output(space, problem, evaluation, wall_shear, metrics.get())
+      output(space, problem, evaluation, wall_shear_stress, metrics.get())
 {
 }
 
@@ -68,9 +69,9 @@ void TaylorHood<dim>::setup()
   terms.reinit(log.memory_use());
   ends_and_cavities.reinit();
   evaluation.rebuild();
-  wall_shear.reinit();
+  wall_shear_stress.reinit();
   motion.forget();
-  products.reinit();
+  linear_products.reinit();
   log.memory_use().mark("loads, ends and evaluation");
 }
 
@@ -146,37 +147,6 @@ void TaylorHood<dim>::set_initial_state(DistributedVector &velocity,
   terms.start_from(displacement);
   if (moving_mesh)
     moving_mesh->start_from(displacement);
-}
-
-template <int dim>
-std::string TaylorHood<dim>::place_of_largest(const DistributedVector &momentum,
-                                              const DistributedVector &mass,
-                                              const bool of_momentum) const
-{
-  return of_momentum ? place_of_largest_entry(space, space.velocity_dofs, momentum, problem.regions)
-                     : place_of_largest_entry(space, space.pressure_dofs, mass, problem.regions);
-}
-
-template <int dim>
-ResidualScales TaylorHood<dim>::residual_scales(const DistributedVector &velocity,
-                                                const DistributedVector &pressure) const
-{
-  // B U of a motion without change of volume and B^T p of a uniform pressure are nothing but
-  // round-off of their terms.
-  typename NonlinearCellTerms<dim>::Sizes sizes{pressure.linfty_norm(), velocity.linfty_norm()};
-  terms.raise_sizes(sizes);
-  return products.scales(sizes.stress, sizes.velocity);
-}
-
-template <int dim>
-void TaylorHood<dim>::set_reaction(const DistributedVector &profile,
-                                   DistributedVector &of_velocity,
-                                   DistributedVector &of_pressure,
-                                   DistributedVector &momentum,
-                                   DistributedVector &mass)
-{
-  Operators::set_reaction(profile, of_velocity, of_pressure, momentum, mass);
-  terms.add_reaction(profile, of_velocity, of_pressure, momentum, mass);
 }
 
 template <int dim>
@@ -293,7 +263,7 @@ std::unique_ptr<HarmonicSystem<dim>> TaylorHood<dim>::harmonic_system(const Harm
   if (!operators.empty() && operators.front().products)
     assemble_velocity_operators<dim>(space, all_cells<dim>, operators);
   return std::make_unique<TaylorHoodHarmonic<dim>>(space, problem, operators, constraints,
-                                                   load_list, products, state);
+                                                   load_list, linear_products, state);
 }
 
 template class TaylorHood<2>;

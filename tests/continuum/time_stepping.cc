@@ -54,60 +54,52 @@ private:
 };
 
 /// One entry everywhere; G = -B.
-class OneMass : public Operators
+class OneEntryProducts : public ProductsByRegion
 {
 public:
   /// `keeps_products`: of the levels, else each product is made where it is needed.
-  OneMass(const Problem &problem, const bool keeps_products)
-      : force(problem), keeps_products(keeps_products)
-  {
-  }
+  explicit OneEntryProducts(const bool keeps_products) : keeps_products(keeps_products) {}
   /// Of mass, stiffness and divergence.
-  unsigned int n_products = 0;
+  mutable unsigned int n_products = 0;
+
   bool has_level_products() const override { return keeps_products; }
-  void setup() override { force.build(); }
-  DistributedVector velocity_vector() const override { return one_entry(); }
-  DistributedVector pressure_vector() const override { return one_entry(); }
-  std::vector<std::vector<unsigned int>> velocity_nodes() const override { return {{0}}; }
-  std::vector<std::vector<unsigned int>> pressure_nodes() const override { return {{0}}; }
-  std::vector<unsigned int> pressures_without_history() const override { return {}; }
-  StateNumbering numbering() const override
-  {
-    return {VectorNumbering(MPI_COMM_SELF, "velocity", {0}),
-            VectorNumbering(MPI_COMM_SELF, "pressure", {0})};
-  }
-  void multiply_mass(unsigned int, DistributedVector &y, const DistributedVector &x) override
+  void multiply_mass(unsigned int, DistributedVector &y, const DistributedVector &x) const override
   {
     ++n_products;
     y.equ(mass_entry, x);
   }
-  void multiply_stiffness(unsigned int, DistributedVector &y, const DistributedVector &x) override
+  void
+  multiply_stiffness(unsigned int, DistributedVector &y, const DistributedVector &x) const override
   {
     ++n_products;
     y.equ(stiffness_entry, x);
   }
-  void multiply_gradient(unsigned int, DistributedVector &y, const DistributedVector &x) override
+  void
+  multiply_gradient(unsigned int, DistributedVector &y, const DistributedVector &x) const override
   {
     y.equ(-divergence_entry, x);
   }
-  void multiply_divergence(unsigned int, DistributedVector &y, const DistributedVector &x) override
+  void
+  multiply_divergence(unsigned int, DistributedVector &y, const DistributedVector &x) const override
   {
     ++n_products;
     y.equ(divergence_entry, x);
   }
-  void
-  multiply_pressure_mass(unsigned int, DistributedVector &y, const DistributedVector &x) override
+  void multiply_pressure_mass(unsigned int,
+                              DistributedVector &y,
+                              const DistributedVector &x) const override
   {
     y.equ(volume, x);
   }
   void multiply_support_stiffness(unsigned int,
                                   DistributedVector &y,
-                                  const DistributedVector &x) override
+                                  const DistributedVector &x) const override
   {
     y.equ(support_stiffness, x);
   }
-  void
-  multiply_support_damping(unsigned int, DistributedVector &y, const DistributedVector &x) override
+  void multiply_support_damping(unsigned int,
+                                DistributedVector &y,
+                                const DistributedVector &x) const override
   {
     y.equ(support_damping, x);
   }
@@ -123,20 +115,25 @@ public:
     return volume * p[0] * q[0];
   }
   double divergence(const DistributedVector &) override { return 0.; }
-  const LoadList &loads() const override { return force; }
-  bool prescribed_velocity_jumps(double, double) const override { return false; }
+
+private:
+  const bool keeps_products;
+};
+
+class NothingPrescribed : public PrescribedVelocities
+{
+public:
+  bool jumps(double, double) const override { return false; }
   bool is_homogeneous() const override { return true; }
-  void evaluate_prescribed(double, DistributedVector &) const override {}
+  void evaluate(double, DistributedVector &) const override {}
   void prescribed_part(const DistributedVector &, DistributedVector &) const override {}
   void clear_prescribed(DistributedVector &) const override {}
-  void set_initial_state(DistributedVector &velocity,
-                         DistributedVector &displacement,
-                         DistributedVector &pressure) override
-  {
-    velocity.add(0.8);
-    displacement.add(0.2);
-    pressure.add(-bulk_modulus * divergence_entry / volume * 0.2);
-  }
+  void set_prescribed(const DistributedVector &, DistributedVector &) const override {}
+};
+
+class OneEntrySystem : public LinearSystem
+{
+public:
   SystemChange prepare(const SystemCoefficients &coefficients, double) override
   {
     const bool changed = !(coefficients == system);
@@ -163,14 +160,66 @@ public:
     velocity = (c * f + b * g) / determinant;
     pressure = (a * g - b * f) / determinant;
   }
+  void add_velocity_product(const DistributedVector &, DistributedVector &) override {}
+  void add_divergence(const DistributedVector &, DistributedVector &) override {}
+  void restrict_residuals(DistributedVector &, DistributedVector &) const override {}
+
+private:
+  SystemCoefficients system;
+};
+
+class NoPorts : public Ports
+{
+public:
+  DistributedVector flow_of_velocities(unsigned int) const override { return one_entry(); }
+  DistributedVector flow_profile(unsigned int) const override { return one_entry(); }
+};
+
+class OneMass : public Operators
+{
+public:
+  OneMass(const Problem &problem, const bool keeps_products)
+      : one_entry_products(keeps_products), plain_step(one_entry_products), force(problem)
+  {
+  }
+  unsigned int &n_products() { return one_entry_products.n_products; }
+
+  void setup() override { force.build(); }
+  ProductsByRegion &products() override { return one_entry_products; }
+  PrescribedVelocities &prescribed() override { return nothing_prescribed; }
+  LinearSystem &system() override { return one_entry_system; }
+  StepVariant &variant() override { return plain_step; }
+  const LoadList &loads() const override { return force; }
+  Ports &ports() override { return no_ports; }
+  DistributedVector velocity_vector() const override { return one_entry(); }
+  DistributedVector pressure_vector() const override { return one_entry(); }
+  std::vector<std::vector<unsigned int>> velocity_nodes() const override { return {{0}}; }
+  std::vector<std::vector<unsigned int>> pressure_nodes() const override { return {{0}}; }
+  std::vector<unsigned int> pressures_without_history() const override { return {}; }
+  StateNumbering numbering() const override
+  {
+    return {VectorNumbering(MPI_COMM_SELF, "velocity", {0}),
+            VectorNumbering(MPI_COMM_SELF, "pressure", {0})};
+  }
+  void set_initial_state(DistributedVector &velocity,
+                         DistributedVector &displacement,
+                         DistributedVector &pressure) override
+  {
+    velocity.add(0.8);
+    displacement.add(0.2);
+    pressure.add(-bulk_modulus * divergence_entry / volume * 0.2);
+  }
   void prepare_transfer(const StateVectors &) override {}
   void finish_transfer(const StateVectors &) override {}
   SolverSizes sizes() const override { return {}; }
 
 private:
+  OneEntryProducts one_entry_products;
+  NothingPrescribed nothing_prescribed;
+  OneEntrySystem one_entry_system;
+  StepVariant plain_step;
+  NoPorts no_ports;
   OneForce force;
-  const bool keeps_products;
-  SystemCoefficients system;
 };
 
 /// m u' + c u + k d = f, d' = u.
@@ -307,14 +356,14 @@ void by_scheme(const std::string &scheme, const bool is_supported, const bool ke
   if (keeps_products)
   {
     // Of M v, S v, S d and B v each level has one, whoever asks for it.
-    operators.n_products = 0;
+    operators.n_products() = 0;
     stepping.advance(make_step(scheme, 40));
     stepping.power_balance(true);
     stepping.energy();
     stepping.advance(make_step(scheme, 41));
     stepping.power_balance(true);
     stepping.energy();
-    check::is_true(name + ": four products a step", operators.n_products == 8);
+    check::is_true(name + ": four products a step", operators.n_products() == 8);
   }
 
   ArchiveWriter writer;

@@ -130,7 +130,7 @@ void test(const Model model, const bool walls_move)
       space, [](const Point<dim> &, const unsigned int) { return pressure_value; });
   balanced.acceleration = uniform(acceleration);
   balanced.prescribed = space.velocity_vector();
-  body.prescribed_part(balanced.velocity, balanced.prescribed);
+  body.prescribed().prescribed_part(balanced.velocity, balanced.prescribed);
   history.advance(balanced.step, balanced.velocity, balanced.velocity);
   const PowerBalance balance =
       ledger.balance({balanced, balanced.velocity, balanced.velocity}, true);

@@ -115,10 +115,10 @@ struct Tube
   {
     const Material &liquid = problem.materials.front();
     StepReport report;
-    if (body->prepare({{step.a0 * liquid.density},
-                       {liquid.shear.viscosity},
-                       {liquid.inverse_bulk_modulus() / step.pressure_time}},
-                      step.pressure_time) != SystemChange::none)
+    if (body->system().prepare({{step.a0 * liquid.density},
+                                {liquid.shear.viscosity},
+                                {liquid.inverse_bulk_modulus() / step.pressure_time}},
+                               step.pressure_time) != SystemChange::none)
       coupling->respond(report);
     const double time = step.balance_time;
     DistributedVector force = small_problem::interpolated<2>(
@@ -128,14 +128,14 @@ struct Tube
         });
     DistributedVector momentum = force, mass = space.pressure_vector();
     DistributedVector prescribed = space.velocity_vector();
-    body->evaluate_prescribed(time, prescribed);
+    body->prescribed().evaluate(time, prescribed);
     coupling->leave_out_ports(prescribed);
     coupling->take_forces(momentum);
-    body->eliminate_prescribed(prescribed, momentum, mass);
+    body->system().eliminate_prescribed(prescribed, momentum, mass);
     const DistributedVector old = velocity;
     DistributedVector new_pressure = space.pressure_vector();
     DistributedVector new_velocity = space.velocity_vector();
-    body->solve(prescribed, momentum, mass, new_velocity, new_pressure, report);
+    body->system().solve(prescribed, momentum, mass, new_velocity, new_pressure, report);
     coupling->couple(step, old, new_velocity, new_pressure);
     coupling->finish_step(step);
     velocity = new_velocity;
@@ -149,9 +149,9 @@ struct Tube
 
     // A U + G P - f + q p, at every node; B U + C P.
     DistributedVector residual = space.velocity_vector();
-    body->add_velocity_product(balanced, residual);
+    body->system().add_velocity_product(balanced, residual);
     DistributedVector product = space.velocity_vector();
-    body->multiply_gradient(0, product, pressure);
+    body->products().multiply_gradient(0, product, pressure);
     residual.add(1., product);
     const double scale = residual.linfty_norm();
     residual.add(-1., force);
@@ -184,8 +184,8 @@ struct Tube
     constraints.build();
     constraints.restrict_to_free(residual);
     DistributedVector mass_residual = space.pressure_vector(), compressed = mass_residual;
-    body->add_divergence(balanced, mass_residual);
-    body->multiply_pressure_mass(0, compressed, pressure);
+    body->system().add_divergence(balanced, mass_residual);
+    body->products().multiply_pressure_mass(0, compressed, pressure);
     mass_residual.add(liquid.inverse_bulk_modulus() / step.pressure_time, compressed);
     return {(residual.linfty_norm() + mass_residual.linfty_norm()) / scale, virtual_power};
   }

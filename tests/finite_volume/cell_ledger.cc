@@ -126,7 +126,7 @@ void test(const Model model, const PowerOperator power_operator, const std::stri
                                                 return a;
                                               });
   balanced.prescribed = space.velocity_vector();
-  body.prescribed_part(balanced.velocity, balanced.prescribed);
+  body.prescribed().prescribed_part(balanced.velocity, balanced.prescribed);
   history.advance(balanced.step, balanced.velocity, balanced.velocity);
 
   // Uniform velocities of 1 m/s before and 2 m/s after, for the change of the kinetic energy.

@@ -79,7 +79,7 @@ struct CellTube
   /// The flow out of a condition.
   double flow(const unsigned int condition, const DistributedVector &velocity) const
   {
-    return body->flow_of_velocities(condition) * velocity;
+    return body->ports().flow_of_velocities(condition) * velocity;
   }
 
   Triangulation<2> mesh;
@@ -100,30 +100,30 @@ void check_step(const std::string &name,
   CellTube tube(left, right);
   CellWise<2> &body = *tube.body;
   const Material &liquid = tube.problem.materials.front();
-  const Step step = body.own_step(euler_step(0., 0.1, Update::implicit));
+  const Step step = body.variant().adapted(euler_step(0., 0.1, Update::implicit));
   StepReport report;
   const double compressibility = liquid.inverse_bulk_modulus() / step.pressure_time;
-  body.prepare({{step.a0 * liquid.density}, {liquid.shear.viscosity}, {compressibility}},
-               step.pressure_time);
+  body.system().prepare({{step.a0 * liquid.density}, {liquid.shear.viscosity}, {compressibility}},
+                        step.pressure_time);
   tube.coupling->respond(report);
   DistributedVector force = body.velocity_vector(), velocity = force, prescribed = force;
   DistributedVector pressure = body.pressure_vector(), mass = pressure;
   force = 0.;
   DistributedVector ones = force;
   ones = 0.7;
-  body.multiply_mass(0, force, ones);
+  body.products().multiply_mass(0, force, ones);
   DistributedVector momentum = force;
-  body.evaluate_prescribed(step.balance_time, prescribed);
+  body.prescribed().evaluate(step.balance_time, prescribed);
   tube.coupling->leave_out_ports(prescribed);
   tube.coupling->take_forces(momentum);
   const DistributedVector start = body.velocity_vector();
-  body.solve(prescribed, momentum, mass, velocity, pressure, report);
+  body.system().solve(prescribed, momentum, mass, velocity, pressure, report);
   tube.coupling->couple(step, start, velocity, pressure);
 
   // A U + G p - f + q P, and B U + C p.
   DistributedVector residual = body.velocity_vector(), product = residual;
-  body.add_velocity_product(velocity, residual);
-  body.multiply_gradient(0, product, pressure);
+  body.system().add_velocity_product(velocity, residual);
+  body.products().multiply_gradient(0, product, pressure);
   residual.add(1., product);
   const double scale = residual.linfty_norm();
   residual.add(-1., force);
@@ -135,11 +135,11 @@ void check_step(const std::string &name,
     const double q = tube.flow(condition, velocity);
     worst = std::max(worst, std::abs(q - tube.coupling->flow_rate(o, 0)));
     worst = std::max(worst, std::abs(law(p, q, step)) / std::abs(p));
-    residual.add(p, body.flow_of_velocities(condition));
+    residual.add(p, body.ports().flow_of_velocities(condition));
     if (tube.problem.outlets[o].coupling == Outlet::Coupling::flow)
     {
       // Of a unit flow with the profile of the section.
-      DistributedVector profile = body.flow_profile(condition);
+      DistributedVector profile = body.ports().flow_profile(condition);
       profile *= 1. / tube.flow(condition, profile);
       reaction = std::abs(profile * residual);
       check::is_true(name + "the profile moves the end alone",
@@ -148,11 +148,11 @@ void check_step(const std::string &name,
     check::is_true(name + "something flows", std::abs(q) > 1e-3);
   }
   DistributedVector mass_residual = body.pressure_vector(), compressed = mass_residual;
-  body.add_divergence(velocity, mass_residual);
-  body.add_flux_correction(pressure, mass_residual);
-  body.multiply_pressure_mass(0, compressed, pressure);
+  body.system().add_divergence(velocity, mass_residual);
+  body.system().add_flux_correction(pressure, mass_residual);
+  body.products().multiply_pressure_mass(0, compressed, pressure);
   mass_residual.add(compressibility, compressed);
-  body.restrict_residuals(residual, mass_residual);
+  body.system().restrict_residuals(residual, mass_residual);
   check::absolute(name + "the body's equations", residual.linfty_norm() / scale, 0., 1e-11);
   check::absolute(name + "the body's volume", mass_residual.linfty_norm(), 0., 1e-11);
   check::absolute(name + "virtual power of the profile", reaction / scale, 0., 1e-11);

@@ -30,10 +30,7 @@ struct TermContext
   NonlinearEnergy nonlinear_energy = {};
 
   /// Whether the powers of a region are the nonlinear ones alone, without products with matrices.
-  bool is_whole(const unsigned int region) const
-  {
-    return operators.has_whole_terms() && operators.is_nonlinear_in(region);
-  }
+  bool is_whole(const unsigned int region) const { return operators.has_whole_terms_in(region); }
   /// Whether products of the state's levels are those of the region.
   bool has_products(const unsigned int region) const
   {

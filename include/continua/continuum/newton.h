@@ -4,11 +4,13 @@
 #include <continua/base/log.h>
 #include <continua/continuum/balanced_step.h>
 #include <continua/continuum/boundary_pressures.h>
+#include <continua/continuum/linear_system.h>
 #include <continua/continuum/newton_input.h>
 #include <continua/continuum/newton_residual.h>
-#include <continua/continuum/operators.h>
+#include <continua/continuum/nonlinear_system.h>
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/products_by_region.h>
 #include <continua/linear_algebra/block_krylov.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
@@ -46,13 +48,15 @@ class Newton
 public:
   /// All must outlive it.
   Newton(const Problem &problem,
-         Operators &operators,
+         NonlinearSystem &terms,
+         LinearSystem &system,
+         const ProductsByRegion &products,
          OutletCoupling &outlets,
          BoundaryPressures &unknown_pressures,
          Log &log);
 
-  /// The mesh has changed.
-  void reinit();
+  /// The mesh has changed; the vectors are those of the new one. Collective.
+  void reinit(const DistributedVector &of_velocity, const DistributedVector &of_pressure);
   /// The next iteration makes a factor. Where a run writes a checkpoint it goes on as a restart
   /// from it would.
   void forget_factor() { has_factor = false; }
@@ -63,7 +67,8 @@ public:
 
 private:
   const Problem &problem;
-  Operators &operators;
+  NonlinearSystem &terms;
+  LinearSystem &system;
   OutletCoupling &outlets;
   BoundaryPressures &unknown_pressures;
   Log &log;

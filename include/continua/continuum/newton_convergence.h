@@ -2,7 +2,7 @@
 #define continua_continuum_newton_convergence_h
 
 #include <continua/continuum/newton_residual.h>
-#include <continua/continuum/operators.h>
+#include <continua/continuum/nonlinear_system.h>
 #include <continua/continuum/problem.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
@@ -36,7 +36,7 @@ public:
   /// Throws StepFailure, or RunError where no shorter step can help. `momentum`, `mass`: the
   /// residuals. Collective.
   [[noreturn]] void fail(const Problem &problem,
-                         const Operators &operators,
+                         const NonlinearSystem &terms,
                          const DistributedVector &momentum,
                          const DistributedVector &mass) const;
 

@@ -2,10 +2,12 @@
 #define continua_continuum_newton_residual_h
 
 #include <continua/continuum/balanced_step.h>
+#include <continua/continuum/linear_system.h>
 #include <continua/continuum/newton_input.h>
-#include <continua/continuum/operators.h>
+#include <continua/continuum/nonlinear_system.h>
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/products_by_region.h>
 #include <continua/continuum/system_coefficients.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
@@ -34,10 +36,14 @@ class NewtonResidual
 {
 public:
   /// All must outlive it.
-  NewtonResidual(const Problem &problem, Operators &operators, OutletCoupling &outlets);
+  NewtonResidual(const Problem &problem,
+                 NonlinearSystem &terms,
+                 LinearSystem &system,
+                 const ProductsByRegion &products,
+                 OutletCoupling &outlets);
 
-  /// The mesh has changed. Collective.
-  void reinit();
+  /// The mesh has changed; the vectors are those of the new one. Collective.
+  void reinit(const DistributedVector &zero_velocity, const DistributedVector &zero_pressure);
   /// A step begins; `past`: the part of the acceleration that the past gives [m/s^2].
   void begin_step(const DistributedVector &past)
   {
@@ -79,7 +85,9 @@ public:
 
 private:
   const Problem &problem;
-  Operators &operators;
+  NonlinearSystem &terms;
+  LinearSystem &system;
+  const ProductsByRegion &products;
   OutletCoupling &outlets;
   BalancedStep shifted; ///< for differences
   DistributedVector past_acceleration;

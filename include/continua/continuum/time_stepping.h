@@ -92,8 +92,9 @@ private:
   OutletCoupling outlets;
   BoundaryPressures unknown_pressures;
   WallShearAverage wall_shear;
-  /// Its factor is no part of the state: a checkpoint makes it forgotten.
-  mutable Newton newton;
+  /// None where all terms are linear. Its factor is no part of the state: a checkpoint makes it
+  /// forgotten.
+  mutable std::optional<Newton> newton;
   LevelProducts products;
   Ledger ledger;
 
@@ -133,6 +134,8 @@ private:
                  operators.mesh_displacement(),
                  mixtures.empty() ? nullptr : &mixtures};
   }
+  /// Where a run writes a checkpoint or begins anew it goes on as a restart would.
+  void forget_linearisation() const;
   /// Of the velocity nodes of this rank: whether a solid has them.
   std::vector<bool> nodes_of_solids() const;
   void report_exponential_branches(const Step &step);
@@ -144,10 +147,7 @@ private:
   void iterate(const Step &step, bool system_is_new, StepReport &report);
   /// Whether the linear system and the right-hand sides have nothing of a region but its supports
   /// and loads.
-  bool is_whole(const unsigned int region) const
-  {
-    return operators.has_whole_terms() && operators.is_nonlinear_in(region);
-  }
+  bool is_whole(const unsigned int region) const { return operators.has_whole_terms_in(region); }
   /// Sets balanced.velocity to the velocity at the level that a step balances, extrapolated from
   /// the last two levels.
   void extrapolate_velocity(const Step &step);

@@ -19,6 +19,7 @@
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/linear_systems.h>
 #include <continua/finite_element/space/space.h>
+#include <continua/finite_element/taylor_hood_nonlinear.h>
 
 #include <map>
 #include <memory>
@@ -60,255 +61,28 @@ public:
   std::vector<std::vector<unsigned int>> pressure_nodes() const override;
   std::vector<unsigned int> pressures_without_history() const override
   {
-    return products.pressures_without_history();
+    return linear_products.pressures_without_history();
   }
   StateNumbering numbering() const override;
 
-  void multiply_mass(const unsigned int region,
-                     DistributedVector &momentum,
-                     const DistributedVector &velocity) override
-  {
-    products.multiply_mass(region, momentum, velocity);
-  }
-  void multiply_stiffness(const unsigned int region,
-                          DistributedVector &force,
-                          const DistributedVector &mixture) override
-  {
-    products.multiply_stiffness(region, force, mixture);
-  }
-  bool has_level_products() const override { return products.has_matrices(); }
-  void multiply_levels(const unsigned int region,
-                       const DistributedVector &velocity,
-                       const DistributedVector &displacement,
-                       DistributedVector *const mass_of_velocity,
-                       DistributedVector *const stiffness_of_velocity,
-                       DistributedVector *const stiffness_of_displacement) override
-  {
-    products.multiply_levels(region, velocity, displacement, mass_of_velocity,
-                             stiffness_of_velocity, stiffness_of_displacement);
-  }
-  void multiply_gradient(const unsigned int region,
-                         DistributedVector &force,
-                         const DistributedVector &pressure) override
-  {
-    products.multiply_gradient(region, force, pressure);
-  }
-  void multiply_divergence(const unsigned int region,
-                           DistributedVector &rate,
-                           const DistributedVector &velocity) override
-  {
-    products.multiply_divergence(region, rate, velocity);
-  }
-  void multiply_pressure_mass(const unsigned int region,
-                              DistributedVector &product,
-                              const DistributedVector &pressure) override
-  {
-    products.multiply_pressure_mass(region, product, pressure);
-  }
-  void multiply_support_stiffness(const unsigned int region,
-                                  DistributedVector &force,
-                                  const DistributedVector &displacement) override
-  {
-    products.multiply_support_stiffness(region, force, displacement);
-  }
-  void multiply_support_damping(const unsigned int region,
-                                DistributedVector &force,
-                                const DistributedVector &velocity) override
-  {
-    products.multiply_support_damping(region, force, velocity);
-  }
-  double pressure_power(const unsigned int region,
-                        const DistributedVector &velocity,
-                        const DistributedVector &pressure) override
-  {
-    return products.pressure_power(region, velocity, pressure);
-  }
-  double pressure_product(const unsigned int region,
-                          const DistributedVector &p,
-                          const DistributedVector &q) override
-  {
-    return products.pressure_product(region, p, q);
-  }
-  double divergence(const DistributedVector &velocity) override
-  {
-    return products.divergence(velocity);
-  }
-
+  ProductsByRegion &products() override { return linear_products; }
+  PrescribedVelocities &prescribed() override { return constraints; }
+  LinearSystem &system() override { return systems; }
+  NonlinearSystem *nonlinear() override { return terms.empty() ? nullptr : &nonlinear_system; }
+  StepVariant &variant() override { return plain_step; }
   const LoadList &loads() const override { return load_list; }
   const LoadList &loads_of(unsigned int region) override;
-  bool prescribed_velocity_jumps(const double begin, const double end) const override
-  {
-    return constraints.jumps(begin, end);
-  }
-  bool is_homogeneous() const override { return constraints.is_homogeneous(); }
-  void evaluate_prescribed(const double time, DistributedVector &values) const override
-  {
-    constraints.evaluate(time, values);
-  }
-  void prescribed_part(const DistributedVector &velocity, DistributedVector &values) const override
-  {
-    constraints.prescribed_part(velocity, values);
-  }
-  void clear_prescribed(DistributedVector &velocity) const override
-  {
-    systems.clear_prescribed(velocity);
-  }
+  Ports &ports() override { return ends_and_cavities; }
+  Cavities *cavities() override { return &ends_and_cavities; }
+  WallShear *wall_shear() override { return &wall_shear_stress; }
+
   void set_initial_state(DistributedVector &velocity,
                          DistributedVector &displacement,
                          DistributedVector &pressure) override;
-
-  SystemChange prepare(const SystemCoefficients &coefficients, double /*pressure_time*/) override
-  {
-    return systems.prepare(coefficients);
-  }
-  void eliminate_prescribed(const DistributedVector &prescribed,
-                            DistributedVector &momentum,
-                            DistributedVector &mass) override
-  {
-    systems.eliminate_prescribed(prescribed, momentum, mass);
-  }
-  void solve(const DistributedVector &prescribed,
-             DistributedVector &momentum,
-             DistributedVector &mass,
-             DistributedVector &velocity,
-             DistributedVector &pressure,
-             StepReport &report) override
-  {
-    systems.solve(prescribed, momentum, mass, velocity, pressure, report);
-  }
-  bool is_nonlinear() const override { return !terms.empty(); }
-  void add_nonlinear_terms(const BalancedStep &state,
-                           DistributedVector &momentum,
-                           DistributedVector &mass) override
-  {
-    terms.add(state, momentum, mass);
-  }
-  void add_nonlinear_powers(const unsigned int region,
-                            const BalancedStep &state,
-                            const DistributedVector &of_velocity,
-                            const TermsTaken taken,
-                            NonlinearPowers &powers,
-                            DistributedVector *const momentum) override
-  {
-    terms.add_powers(region, state, of_velocity, taken, powers, momentum);
-  }
-  bool is_nonlinear_in(const unsigned int region) const override
-  {
-    return problem.region_model(region) != RegionModel::linear;
-  }
-  bool has_whole_terms() const override { return true; }
-  void move_mesh(BalancedStep &state) override
-  {
-    if (moving_mesh)
-      moving_mesh->move(state);
-  }
-  void set_mesh_change(const Step &step,
-                       const DistributedVector &of_velocity,
-                       DistributedVector &of_mesh_displacement) override
-  {
-    if (moving_mesh)
-      moving_mesh->set_change(step, of_velocity, of_mesh_displacement);
-  }
-  void check_mesh(const BalancedStep &state) override
-  {
-    if (moving_mesh)
-      moving_mesh->check(state);
-  }
   const DistributedVector *mesh_displacement() const override
   {
     return moving_mesh ? &moving_mesh->displacement() : nullptr;
   }
-  NonlinearEnergy nonlinear_energy(const unsigned int region, const State &state) override
-  {
-    return terms.energy_of(region, state);
-  }
-  double nonlinear_relaxation(const unsigned int region) const override
-  {
-    return terms.relaxation_power(region);
-  }
-  std::string place_of_largest(const DistributedVector &momentum,
-                               const DistributedVector &mass,
-                               bool of_momentum) const override;
-  bool linearise(const BalancedStep &state) override { return systems.linearise(state); }
-  bool solves_with_kept_derivative() const override { return systems.has_iterative_tangent(); }
-  void forget_linearisation() override
-  {
-    systems.forget_linearisation();
-    if (moving_mesh)
-      moving_mesh->forget_solver();
-  }
-  bool has_derivative_products() const override { return !systems.has_iterative_tangent(); }
-  void keep_derivative(const BalancedStep &state) override { systems.keep_derivative(state); }
-  void add_derivative_product(const DistributedVector &velocity,
-                              const DistributedVector &pressure,
-                              DistributedVector &momentum,
-                              DistributedVector &mass) override
-  {
-    terms.add_derivative_product(velocity, pressure, momentum, mass);
-  }
-  void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override
-  {
-    systems.restrict_residuals(momentum, mass);
-  }
-  ResidualScales residual_scales(const DistributedVector &velocity,
-                                 const DistributedVector &pressure) const override;
-  void set_prescribed(const DistributedVector &prescribed,
-                      DistributedVector &velocity) const override
-  {
-    constraints.set_constrained(velocity, prescribed);
-  }
-
-  void set_wall_shear_stress(const State &state, DistributedVector &shear) override
-  {
-    wall_shear.set(state, shear);
-  }
-  void set_magnitudes_at_walls(const DistributedVector &vectors,
-                               DistributedVector &magnitudes) override
-  {
-    wall_shear.set_magnitudes(vectors, magnitudes);
-  }
-  void keep_walls_alone(DistributedVector &vector) override { wall_shear.keep_walls_alone(vector); }
-
-  DistributedVector flow_of_velocities(const unsigned int condition) const override
-  {
-    return load_list.flow_of_velocities(condition);
-  }
-  void set_flow_of_velocities(const unsigned int condition,
-                              const DistributedVector &mesh_displacement,
-                              DistributedVector &flow) override
-  {
-    ends_and_cavities.set_flow_of_velocities(condition, mesh_displacement, flow);
-  }
-  DistributedVector flow_profile(const unsigned int condition) const override
-  {
-    return ends_and_cavities.flow_profile(condition);
-  }
-  void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override
-  {
-    systems.add_velocity_product(velocity, result);
-  }
-  void add_divergence(const DistributedVector &velocity, DistributedVector &result) override
-  {
-    systems.add_divergence(velocity, result);
-  }
-  void set_reaction(const DistributedVector &profile,
-                    DistributedVector &of_velocity,
-                    DistributedVector &of_pressure,
-                    DistributedVector &momentum,
-                    DistributedVector &mass) override;
-
-  std::vector<double> cavity_volumes(const DistributedVector &displacement) override
-  {
-    return ends_and_cavities.cavity_volumes(displacement);
-  }
-  void linearise_cavity(const unsigned int cavity,
-                        const DistributedVector &displacement,
-                        DistributedVector &derivative,
-                        DistributedVector &force) override
-  {
-    ends_and_cavities.linearise_cavity(cavity, displacement, derivative, force);
-  }
-
   void prepare_transfer(const StateVectors &vectors) override;
   void finish_transfer(const StateVectors &vectors) override;
   SolverSizes sizes() const override;
@@ -366,15 +140,17 @@ private:
   Loads<dim> load_list;
   std::map<unsigned int, Loads<dim>> loads_of_regions; ///< that were asked for on this mesh
   const LinearSolverParameters linear_solver;
-  LinearProducts<dim> products;
+  LinearProducts<dim> linear_products;
+  StepVariant plain_step;
   std::unique_ptr<MetricHistory<dim>> metrics; ///< null where nothing relaxes in finite deformation
   std::unique_ptr<MovingMesh<dim>> moving_mesh; ///< null where the mesh stays
   RegionTerms<dim> terms;                       ///< of the regions that are not linear
   LinearSystems<dim> systems;
+  TaylorHoodNonlinear<dim> nonlinear_system;
   EndsAndCavities<dim> ends_and_cavities;
   MeshTransfer<dim> mesh_transfer;
   FieldEvaluation<dim> evaluation;
-  WallShearStress<dim> wall_shear;
+  WallShearStress<dim> wall_shear_stress;
   SolidMotion<dim> motion;
   FieldOutput<dim> output;
 

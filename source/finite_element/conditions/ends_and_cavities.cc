@@ -25,12 +25,15 @@ std::vector<unsigned int> moving_sections(const Problem &problem)
 } // namespace
 
 template <int dim>
-EndsAndCavities<dim>::EndsAndCavities(const Space<dim> &space, const Problem &problem)
+EndsAndCavities<dim>::EndsAndCavities(const Space<dim> &space,
+                                      const Problem &problem,
+                                      const Loads<dim> &loads)
     : space(space),
       problem(problem),
+      loads(loads),
       sections(moving_sections(problem)),
       section_faces(space, problem, sections),
-      cavities(space, problem)
+      cavity_volumes(space, problem)
 {
 }
 
@@ -38,7 +41,7 @@ template <int dim>
 void EndsAndCavities<dim>::reinit()
 {
   section_faces.reinit();
-  cavities.reinit();
+  cavity_volumes.reinit();
 }
 
 template <int dim>

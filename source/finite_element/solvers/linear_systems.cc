@@ -79,8 +79,7 @@ void LinearSystems<dim>::reinit()
 {
   system.reinit();
   tangent.reinit();
-  for (DistributedVector *vector : {&zero_velocity, &velocity_work})
-    *vector = space.velocity_vector();
+  velocity_work = space.velocity_vector();
   if (has_iterative_tangent())
   {
     for (DistributedVector *vector : {&tangent_change, &tangent_momentum})
@@ -90,7 +89,8 @@ void LinearSystems<dim>::reinit()
 }
 
 template <int dim>
-SystemChange LinearSystems<dim>::prepare(const SystemCoefficients &coefficients)
+SystemChange LinearSystems<dim>::prepare(const SystemCoefficients &coefficients,
+                                         double /*pressure_time*/)
 {
   if (!terms.empty())
     return system.take(coefficients) ? SystemChange::coefficients : SystemChange::none;
@@ -168,7 +168,7 @@ void LinearSystems<dim>::solve_iterative_tangent(DistributedVector &momentum,
              DistributedVector &momentum_rows, DistributedVector &mass_rows)
       {
         tangent_change.equ(1., of_velocity);
-        clear_prescribed(tangent_change);
+        constraints.clear_prescribed(tangent_change);
         tangent_momentum = 0.;
         tangent_mass = 0.;
         terms.add_derivative_product(tangent_change, of_pressure, tangent_momentum, tangent_mass);
@@ -226,6 +226,17 @@ void LinearSystems<dim>::restrict_residuals(DistributedVector &momentum,
 {
   constraints.restrict_to_free(momentum);
   space.set_hanging_pressures_to_zero(mass);
+}
+
+template <int dim>
+void LinearSystems<dim>::set_reaction(const DistributedVector &profile,
+                                      DistributedVector &of_velocity,
+                                      DistributedVector &of_pressure,
+                                      DistributedVector &momentum,
+                                      DistributedVector &mass)
+{
+  LinearSystem::set_reaction(profile, of_velocity, of_pressure, momentum, mass);
+  terms.add_reaction(profile, of_velocity, of_pressure, momentum, mass);
 }
 
 template <int dim>

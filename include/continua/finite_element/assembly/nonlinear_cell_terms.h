@@ -82,7 +82,7 @@ public:
   virtual void visit_state(StateVisitor &) {}
   /// That part was read from a checkpoint or carried over to another mesh. Collective.
   virtual void take_own_state() {}
-  /// See Operators.
+  /// See NonlinearSystem.
   virtual const DistributedVector *wall_potentials() const { return nullptr; }
   virtual const DistributedVector *unloaded_displacement() const { return nullptr; }
   virtual void set_unloaded_displacement(const DistributedVector &) {}

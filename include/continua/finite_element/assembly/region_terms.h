@@ -16,8 +16,8 @@
 namespace Continua
 {
 /// The terms of all regions that are not linear: the sum over the models of such regions that the
-/// problem has. What a method does is said in NonlinearCellTerms or in Operators under the same
-/// name.
+/// problem has. What a method does is said in NonlinearCellTerms or in NonlinearSystem under the
+/// same name.
 template <int dim>
 class RegionTerms
 {
@@ -57,7 +57,7 @@ public:
                               const DistributedVector &pressure,
                               DistributedVector &momentum,
                               DistributedVector &mass);
-  /// Adds what Operators::set_reaction() sets.
+  /// Adds what LinearSystem::set_reaction() sets.
   void add_reaction(const DistributedVector &profile,
                     DistributedVector &of_velocity,
                     DistributedVector &of_pressure,

@@ -2,6 +2,7 @@
 #define continua_finite_element_conditions_boundary_constraints_h
 
 #include <continua/boundary/boundary_condition.h>
+#include <continua/continuum/prescribed_velocities.h>
 #include <continua/finite_element/space/space.h>
 
 #include <deal.II/base/tensor.h>
@@ -22,7 +23,7 @@ namespace Continua
  * where.
  */
 template <int dim>
-class BoundaryConstraints
+class BoundaryConstraints : public PrescribedVelocities
 {
 public:
   BoundaryConstraints(const Space<dim> &space, const std::vector<BoundaryCondition> &conditions);
@@ -40,19 +41,22 @@ public:
   void set_constrained(DistributedVector &velocity, const DistributedVector &values) const;
   /// T: the same without values.
   void expand_free(DistributedVector &velocity) const;
-  /// u - T u: what a velocity that obeys the constraints has as its g, at the constrained dofs;
-  /// other entries stay as they are.
-  void prescribed_part(const DistributedVector &velocity, DistributedVector &values) const;
-  /// g(t) at the constrained dofs, 0 elsewhere [m/s]. `values` keeps what does not depend on time.
-  void evaluate(double time, DistributedVector &values) const;
+  /// u - T u: what a velocity that obeys the constraints has as its g, at the constrained dofs.
+  void prescribed_part(const DistributedVector &velocity, DistributedVector &values) const override;
+  void set_prescribed(const DistributedVector &prescribed,
+                      DistributedVector &velocity) const override
+  {
+    set_constrained(velocity, prescribed);
+  }
+  void clear_prescribed(DistributedVector &velocity) const override { expand_free(velocity); }
+  /// g(t) at the constrained dofs, 0 elsewhere [m/s].
+  void evaluate(double time, DistributedVector &values) const override;
   /// The part of one condition in it.
   void
   evaluate_of(const BoundaryCondition &condition, double time, DistributedVector &values) const;
 
-  /// Whether every prescribed velocity is zero for ever.
-  bool is_homogeneous() const { return homogeneous; }
-  /// Whether a prescribed velocity jumps between the two times [s].
-  bool jumps(double begin, double end) const;
+  bool is_homogeneous() const override { return homogeneous; }
+  bool jumps(double begin, double end) const override;
   /// One line for each pair of conditions that ask for different velocities at a node.
   const std::vector<std::string> &conflicts() const { return conflict_texts; }
 

@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_looking_wall_shear_stress_h
 #define continua_finite_element_looking_wall_shear_stress_h
 
+#include <continua/continuum/wall_shear.h>
 #include <continua/finite_element/looking/field_samples.h>
 
 #include <array>
@@ -16,7 +17,7 @@ namespace Continua
  * interfaces of liquids with solids. At a node that several faces share it is their mean.
  */
 template <int dim>
-class WallShearStress
+class WallShearStress : public WallShear
 {
 public:
   /// All must outlive it.
@@ -27,12 +28,10 @@ public:
 
   /// Finds the walls on the present mesh if they are asked for, in the output or over time.
   void reinit();
-  /// Sets the wall shear stress at this rank's nodes, 0 at others [Pa]. Collective.
-  void set(const State &present, DistributedVector &shear);
-  /// Sets each component of a wall's node to the magnitude of the vector there, others to 0.
-  void set_magnitudes(const DistributedVector &vectors, DistributedVector &magnitudes) const;
-  /// Sets all but the walls' nodes to 0.
-  void keep_walls_alone(DistributedVector &vector) const;
+  void set(const State &present, DistributedVector &shear) override;
+  void set_magnitudes(const DistributedVector &vectors,
+                      DistributedVector &magnitudes) const override;
+  void keep_walls_alone(DistributedVector &vector) const override;
 
 private:
   /// Of this rank.

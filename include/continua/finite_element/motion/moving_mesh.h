@@ -17,7 +17,7 @@
 namespace Continua
 {
 /// A mesh that moves: its motion, what is said of its quality, and the mass of the liquids on it.
-/// What a method does is said in MeshMotion or in Operators under the same name.
+/// What a method does is said in MeshMotion or in NonlinearSystem under the same name.
 template <int dim>
 class MovingMesh
 {

@@ -2,7 +2,7 @@
 #define continua_finite_element_solvers_linear_systems_h
 
 #include <continua/base/log.h>
-#include <continua/continuum/operators.h>
+#include <continua/continuum/linear_system.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/region_terms.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
@@ -22,11 +22,11 @@ namespace Continua
 /**
  * The linear system of a step: the StepSystem where all regions are linear, else that of a step of
  * Newton's iteration, which has the derivative of the terms of the regions, too. The latter is a
- * TangentSystem with a factor, or products with the iterative solver of the StepSystem. What a
- * method does is said in Operators under the same name.
+ * TangentSystem with a factor, or products with the iterative solver of the StepSystem. What
+ * linearise() and the methods behind it do is said in NonlinearSystem.
  */
 template <int dim>
-class LinearSystems
+class LinearSystems : public LinearSystem
 {
 public:
   /// All but the parameters and the outlook must outlive it.
@@ -49,32 +49,34 @@ public:
   /// Whether the steps of Newton's iteration have the iterative solver on this mesh.
   bool has_iterative_tangent() const;
 
-  SystemChange prepare(const SystemCoefficients &coefficients);
+  SystemChange prepare(const SystemCoefficients &coefficients, double pressure_time) override;
   void eliminate_prescribed(const DistributedVector &prescribed,
                             DistributedVector &momentum,
-                            DistributedVector &mass);
+                            DistributedVector &mass) override;
   void solve(const DistributedVector &prescribed,
              DistributedVector &momentum,
              DistributedVector &mass,
              DistributedVector &velocity,
              DistributedVector &pressure,
-             StepReport &report);
-  bool linearise(const BalancedStep &state);
-  void keep_derivative(const BalancedStep &state);
-  void forget_linearisation() { tangent.forget_analysis(); }
-  void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const;
-  void clear_prescribed(DistributedVector &velocity) const
-  {
-    constraints.set_constrained(velocity, zero_velocity);
-  }
-  void add_velocity_product(const DistributedVector &velocity, DistributedVector &result)
+             StepReport &report) override;
+  void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override
   {
     system.add_velocity_product(velocity, result);
   }
-  void add_divergence(const DistributedVector &velocity, DistributedVector &result)
+  void add_divergence(const DistributedVector &velocity, DistributedVector &result) override
   {
     system.add_divergence(1., velocity, result);
   }
+  void set_reaction(const DistributedVector &profile,
+                    DistributedVector &of_velocity,
+                    DistributedVector &of_pressure,
+                    DistributedVector &momentum,
+                    DistributedVector &mass) override;
+  void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override;
+
+  bool linearise(const BalancedStep &state);
+  void keep_derivative(const BalancedStep &state);
+  void forget_linearisation() { tangent.forget_analysis(); }
 
   /// Sets what is known of the solver in use.
   void set_sizes(SolverSizes &sizes) const;
@@ -94,7 +96,7 @@ private:
   TangentSystem<dim> tangent;        ///< in the system's place where there are such terms
   bool derivative_is_marked = false; ///< in MemoryUse, on this mesh
   std::string linear_solver_reported;
-  DistributedVector zero_velocity, velocity_work;
+  DistributedVector velocity_work;
   // Of products with the tangent.
   DistributedVector tangent_change, tangent_momentum, tangent_mass;
 
