@@ -4,6 +4,7 @@
 #include <continua/linear_algebra/packed_triangle.h>
 #include <continua/linear_algebra/umfpack_factor.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <numeric>
@@ -81,49 +82,83 @@ struct Numeric
   void *handle = nullptr;
   ~Numeric() { free(); }
   void free() { umfpack_dl_free_numeric(&handle); }
+  double n_entries() const
+  {
+    Index n_lower = 0, n_upper = 0, n_rows = 0, n_columns = 0, n_diagonal = 0;
+    check_umfpack(umfpack_dl_get_lunz(&n_lower, &n_upper, &n_rows, &n_columns, &n_diagonal, handle),
+                  "size of the factor");
+    return static_cast<double>(n_lower) + static_cast<double>(n_upper);
+  }
 };
 
-std::array<double, UMFPACK_CONTROL> controls()
+/// What the order of the unknowns is chosen by.
+enum class Strategy
+{
+  symmetric, ///< the places of A + A^T, and pivots on the diagonal where they are large enough
+  automatic  ///< as UMFPACK itself decides
+};
+
+std::array<double, UMFPACK_CONTROL> controls(const Strategy strategy)
 {
   std::array<double, UMFPACK_CONTROL> control;
   umfpack_dl_defaults(control.data());
   control[UMFPACK_ORDERING] = UMFPACK_ORDERING_BEST;
+  if (strategy == Strategy::symmetric)
+    control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   return control;
 }
 
-void make_numeric(const Columns &matrix, void *const symbolic, Numeric &numeric)
+Index make_numeric(const Columns &matrix, void *const symbolic, Numeric &numeric)
 {
-  const std::array<double, UMFPACK_CONTROL> control = controls();
+  // The strategy is a part of the analysis.
+  const std::array<double, UMFPACK_CONTROL> control = controls(Strategy::automatic);
   std::array<double, UMFPACK_INFO> info{};
-  check_umfpack(umfpack_dl_numeric(matrix.starts.data(), matrix.rows.data(), matrix.values.data(),
-                                   symbolic, &numeric.handle, control.data(), info.data()),
-                "factorisation");
+  return umfpack_dl_numeric(matrix.starts.data(), matrix.rows.data(), matrix.values.data(),
+                            symbolic, &numeric.handle, control.data(), info.data());
 }
 } // namespace
 
 /// The order of the unknowns, with the places of the entries that it is for.
 struct UmfpackFactor::Analysis
 {
-  std::vector<Index> starts, rows;
+  std::vector<Index> starts;
+  std::vector<int> rows;
+  Strategy strategy;
   void *symbolic = nullptr;
-  double n_entries = 0.; ///< of the first factor
+  /// Of the factor: what the symmetric strategy expects, then those of the first one.
+  double n_entries = 0.;
 
-  explicit Analysis(const Columns &matrix) : starts(matrix.starts), rows(matrix.rows)
+  Analysis(const Columns &matrix, const Strategy wanted)
+      : starts(matrix.starts), rows(matrix.rows.begin(), matrix.rows.end()), strategy(wanted)
   {
-    const std::array<double, UMFPACK_CONTROL> control = controls();
-    std::array<double, UMFPACK_INFO> info{};
-    const auto n = static_cast<Index>(starts.size() - 1);
-    const KeptSignalAction kept;
-    check_umfpack(umfpack_dl_symbolic(n, n, starts.data(), rows.data(), matrix.values.data(),
-                                      &symbolic, control.data(), info.data()),
-                  "analysis");
+    analyse(matrix);
+    if (strategy == Strategy::automatic || info[UMFPACK_PATTERN_SYMMETRY] == 1.)
+      return;
+    umfpack_dl_free_symbolic(&symbolic);
+    strategy = Strategy::automatic;
+    analyse(matrix);
   }
   ~Analysis() { umfpack_dl_free_symbolic(&symbolic); }
   Analysis(const Analysis &) = delete;
   Analysis &operator=(const Analysis &) = delete;
   bool is_for(const Columns &matrix) const
   {
-    return starts == matrix.starts && rows == matrix.rows;
+    return starts == matrix.starts &&
+           std::equal(rows.begin(), rows.end(), matrix.rows.begin(), matrix.rows.end());
+  }
+
+private:
+  std::array<double, UMFPACK_INFO> info{};
+
+  void analyse(const Columns &matrix)
+  {
+    const std::array<double, UMFPACK_CONTROL> control = controls(strategy);
+    const auto n = static_cast<Index>(starts.size() - 1);
+    const KeptSignalAction kept;
+    check_umfpack(umfpack_dl_symbolic(n, n, starts.data(), matrix.rows.data(), matrix.values.data(),
+                                      &symbolic, control.data(), info.data()),
+                  "analysis");
+    n_entries = strategy == Strategy::symmetric ? info[UMFPACK_SYMMETRIC_LUNZ] : 0.;
   }
 };
 
@@ -199,17 +234,28 @@ void UmfpackFactor::factorize(const Triplets &matrix, const std::vector<int> &ow
 
   data = nullptr; // the old factor goes before the new one is made
   data = std::make_unique<Data>();
-  const Columns columns = sorted_by_columns(matrix);
+  Columns columns = sorted_by_columns(matrix);
   if (!analysis || !analysis->is_for(columns))
   {
     analysis = nullptr;
-    analysis = std::make_unique<Analysis>(columns);
+    analysis = std::make_unique<Analysis>(columns, Strategy::symmetric);
   }
+  Numeric numeric;
+  Index status = make_numeric(columns, analysis->symbolic, numeric);
+  if (analysis->strategy == Strategy::symmetric &&
+      (status == UMFPACK_WARNING_singular_matrix ||
+       (status == UMFPACK_OK && numeric.n_entries() > most_growth * analysis->n_entries)))
   {
-    Numeric numeric;
-    make_numeric(columns, analysis->symbolic, numeric);
-    data->take(numeric, matrix.n, owned);
+    // Too few pivots on the diagonal.
+    numeric.free();
+    analysis = nullptr;
+    analysis = std::make_unique<Analysis>(columns, Strategy::automatic);
+    status = make_numeric(columns, analysis->symbolic, numeric);
   }
+  check_umfpack(status, "factorisation");
+  // The largest memory is that of UMFPACK's factor beside the packed one.
+  columns = {};
+  data->take(numeric, matrix.n, owned);
   if (analysis->n_entries == 0.)
     analysis->n_entries = data->n_entries;
   else if (data->n_entries > most_growth * analysis->n_entries)
@@ -243,10 +289,10 @@ double UmfpackFactor::memory() const
 {
   const auto n = static_cast<double>(data->row_order.size());
   // Without UMFPACK's own part of the analysis, which is smaller.
-  const double of_analysis =
-      analysis
-          ? sizeof(Index) * static_cast<double>(analysis->starts.size() + analysis->rows.size())
-          : 0.;
+  const double of_analysis = analysis
+                                 ? static_cast<double>(sizeof(Index) * analysis->starts.size() +
+                                                       sizeof(int) * analysis->rows.size())
+                                 : 0.;
   return data->lower.memory() + data->upper.memory() + n * (2 * sizeof(int) + 2 * sizeof(double)) +
          of_analysis;
 }

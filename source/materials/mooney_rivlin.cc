@@ -1,8 +1,5 @@
 #include <continua/materials/mooney_rivlin.h>
 
-#include <continua/materials/isochoric_strain.h>
-#include <continua/materials/isochoric_stress.h>
-
 namespace Continua
 {
 using namespace dealii;
@@ -14,20 +11,14 @@ MooneyRivlin::MooneyRivlin(const double first_modulus, const double second_modul
 
 void MooneyRivlin::set_stress(const PointStrain &strain, SymmetricTensor<2, 3> &stress) const
 {
-  const SymmetricTensor<2, 3> b = IsochoricStrain(strain).left;
-  stress = deviator((first_modulus + second_modulus * trace(b)) * b - second_modulus * square(b));
+  set_stress<double>(strain, stress);
 }
 
 void MooneyRivlin::set_tangent(const PointStrain &strain,
                                SymmetricTensor<2, 3> &stress,
                                SymmetricTensor<4, 3> &tangent) const
 {
-  const SymmetricTensor<2, 3> b = IsochoricStrain(strain).left;
-  const SymmetricTensor<2, 3> fictitious =
-      (first_modulus + second_modulus * trace(b)) * b - second_modulus * square(b);
-  stress = deviator(fictitious);
-  tangent = isochoric_tangent(trace(fictitious), stress) +
-            2. * second_modulus * deviator_of_both(dyadic_product(b, b) - both_sides_product(b));
+  set_tangent<double>(strain, stress, tangent);
 }
 
 double MooneyRivlin::energy(const PointStrain &strain) const

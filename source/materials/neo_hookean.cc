@@ -1,8 +1,5 @@
 #include <continua/materials/neo_hookean.h>
 
-#include <continua/materials/isochoric_strain.h>
-#include <continua/materials/isochoric_stress.h>
-
 namespace Continua
 {
 using namespace dealii;
@@ -11,16 +8,14 @@ NeoHookean::NeoHookean(const double shear_modulus) : modulus(shear_modulus) {}
 
 void NeoHookean::set_stress(const PointStrain &strain, SymmetricTensor<2, 3> &stress) const
 {
-  stress = modulus * deviator(IsochoricStrain(strain).left);
+  set_stress<double>(strain, stress);
 }
 
 void NeoHookean::set_tangent(const PointStrain &strain,
                              SymmetricTensor<2, 3> &stress,
                              SymmetricTensor<4, 3> &tangent) const
 {
-  const IsochoricStrain isochoric(strain);
-  stress = modulus * deviator(isochoric.left);
-  tangent = isochoric_tangent(modulus * trace(isochoric.left), stress);
+  set_tangent<double>(strain, stress, tangent);
 }
 
 double NeoHookean::energy(const PointStrain &strain) const

@@ -12,61 +12,18 @@
 #include <vector>
 
 #include "../unit_test.h"
+#include "numbers_of_cell.h"
 
 namespace test_of_flow_at_points
 {
 using namespace Continua;
 using namespace dealii;
+using numbers_of_cell::distance;
+using numbers_of_cell::Field;
+using numbers_of_cell::numbers;
 
 namespace
 {
-/// Numbers without any order, from -1 to 1.
-std::vector<double> numbers(const std::size_t n, const double phase)
-{
-  std::vector<double> result(n);
-  for (std::size_t k = 0; k < n; ++k)
-    result[k] = std::sin(phase + 1.7 * k + 0.01 * k * k);
-  return result;
-}
-
-/// Of a field with some components: all of its numbers, of which each component has some to spare.
-struct Field
-{
-  std::size_t n_points, component_size;
-  std::vector<double> values;
-
-  Field(const std::size_t n_points, const unsigned int n_components, const double phase)
-      : n_points(n_points),
-        component_size(4 * n_points + 3),
-        values(numbers(n_components * component_size, phase))
-  {
-  }
-  NumbersAtPoints<const double> view() const { return {values.data(), component_size}; }
-  double at(const unsigned int component, const unsigned int number, const unsigned int q) const
-  {
-    return values[component * component_size + number * n_points + q];
-  }
-  template <int dim>
-  Tensor<1, dim> value(const unsigned int q) const
-  {
-    Tensor<1, dim> result;
-    for (unsigned int c = 0; c < dim; ++c)
-      result[c] = at(c, 0, q);
-    return result;
-  }
-  template <int dim>
-  Tensor<1, dim> gradient(const unsigned int component,
-                          const unsigned int q,
-                          const Tensor<2, dim> &inverse_jacobian) const
-  {
-    Tensor<1, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int s = 0; s < dim; ++s)
-        result[d] += at(component, s + 1, q) * inverse_jacobian[s][d];
-    return result;
-  }
-};
-
 /// A cell with its numbers.
 template <int dim>
 struct Cell
@@ -110,6 +67,7 @@ struct Cell
       flow.mesh_velocity = mesh_velocity.view();
   }
 
+  bool has_pressure_gradient() const { return flow.volume_law.inverse_bulk_modulus != 0.; }
   FlowPoint<dim> point(const unsigned int q) const
   {
     FlowPoint<dim> result;
@@ -127,10 +85,13 @@ struct Cell
     result.pressure_gradient = pressure.gradient<dim>(0, q, geometry[q].inverse_jacobian);
     result.density = flow.density * flow.volume_law.density_ratio(result.pressure);
     result.compressibility = flow.volume_law.compressibility(result.pressure);
+    result.compressibility_slope = flow.volume_law.compressibility_slope(result.pressure);
     result.grad_div_over_speed = flow.grad_div_over_speed;
     result.set_strain_rate();
     result.viscosity = flow.flow_curve != nullptr ? flow.flow_curve->viscosity(result.shear_rate())
                                                   : flow.viscosity;
+    if (flow.flow_curve != nullptr)
+      result.viscosity_slope = flow.flow_curve->slope_over_rate(result.shear_rate());
     result.finish();
     return result;
   }
@@ -141,7 +102,7 @@ template <int dim>
 struct Result
 {
   std::size_t component_size;
-  std::vector<double> momentum, volume;
+  std::vector<double> momentum, volume, derivative;
   NonlinearPowers powers;
   double least_stiffening = 0.;
 
@@ -152,6 +113,46 @@ struct Result
   {
   }
 };
+
+template <int dim>
+void add_derivative(const FlowPoint<dim> &point,
+                    const CellPoint<dim> &geometry,
+                    const bool has_pressure_gradient,
+                    std::vector<double> &derivative)
+{
+  const auto add = [&](const PointChange<dim> &change)
+  {
+    Tested<dim> tested;
+    FlowTerms::add_derivative(point, FlowChange<dim>(point, change), tested);
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      derivative.push_back(geometry.weight * tested.by_value[c]);
+      for (unsigned int s = 0; s < dim; ++s)
+        derivative.push_back(geometry.weight *
+                             (geometry.inverse_jacobian[s] * tested.by_gradient[c]));
+    }
+    derivative.push_back(geometry.weight * tested.of_volume);
+  };
+  for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int k = 0; k <= dim; ++k)
+    {
+      PointChange<dim> change;
+      if (k == 0)
+        change.velocity[d] = 1.;
+      else
+        change.velocity_gradient[d] = geometry.inverse_jacobian[k - 1];
+      add(change);
+    }
+  for (unsigned int k = 0; k <= (has_pressure_gradient ? dim : 0); ++k)
+  {
+    PointChange<dim> change;
+    if (k == 0)
+      change.pressure = 1.;
+    else
+      change.pressure_gradient = geometry.inverse_jacobian[k - 1];
+    add(change);
+  }
+}
 
 /// One point after the other.
 template <int dim>
@@ -194,16 +195,9 @@ Result<dim> expected_of(const Cell<dim> &cell, const TermsTaken *const taken)
             geometry.weight * (geometry.inverse_jacobian[s] * sum.by_gradient[c]);
     }
     result.volume[q] = geometry.weight * sum.of_volume;
+    add_derivative(point, geometry, cell.has_pressure_gradient(), result.derivative);
   }
   return result;
-}
-
-double distance(const std::vector<double> &a, const std::vector<double> &b)
-{
-  double largest = 0.;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    largest = std::max(largest, std::abs(a[k] - b[k]));
-  return largest;
 }
 
 template <int dim>
@@ -218,9 +212,12 @@ void compare(const std::string &name, const Cell<dim> &cell, const TermsTaken *c
     Result<dim> result(cell.flow.n_points);
     const PowersAtPoints asked{cell.of_powers.view(), taken != nullptr ? *taken : TermsTaken::all,
                                result.powers};
-    result.least_stiffening = flow_terms_of<dim>(set)(
-        cell.flow, taken != nullptr ? &asked : nullptr,
-        {{result.momentum.data(), result.component_size}, result.volume.data()});
+    const FlowTermsAtPoints<dim> terms = flow_terms_of<dim>(set);
+    result.derivative.assign(expected.derivative.size(), 0.);
+    terms.set_derivative(cell.flow, cell.has_pressure_gradient(), result.derivative.data());
+    result.least_stiffening =
+        terms.set(cell.flow, taken != nullptr ? &asked : nullptr,
+                  {{result.momentum.data(), result.component_size}, result.volume.data()});
     const NonlinearPowers &powers = result.powers, &of_expected = expected.powers;
     double of_powers = 0.;
     for (const PowerKind kind :
@@ -230,6 +227,8 @@ void compare(const std::string &name, const Cell<dim> &cell, const TermsTaken *c
     const std::string of_set = name + ", " + word_of(instruction_set_words(), wanted);
     check::absolute(of_set + ": momentum", distance(result.momentum, expected.momentum), 0., 1e-12);
     check::absolute(of_set + ": volume", distance(result.volume, expected.volume), 0., 1e-12);
+    check::absolute(of_set + ": derivative", distance(result.derivative, expected.derivative), 0.,
+                    1e-11);
     check::absolute(of_set + ": powers", of_powers, 0., 1e-12);
     check::absolute(of_set + ": stiffening", result.least_stiffening, expected.least_stiffening,
                     1e-14);

@@ -75,6 +75,79 @@ inline Triplets cells(const int m_x, const int m_y)
   return matrix;
 }
 
+/**
+ * A viscous liquid that flows slowly and is carried on by a given velocity, on m x m cells with
+ * velocities at their faces and pressures in their middle: the diagonal of the pressures is zero
+ * but for one.
+ */
+inline Triplets liquid(const int m)
+{
+  Triplets matrix;
+  const int n_u = (m - 1) * m;
+  matrix.n = 2 * n_u + m * m;
+  const auto add = [&matrix](const int row, const int column, const double value)
+  {
+    matrix.rows.push_back(row);
+    matrix.columns.push_back(column);
+    matrix.values.push_back(value);
+  };
+  const auto pressure = [&](const int i, const int j) { return 2 * n_u + j * m + i; };
+  // Component 0: between the cells (i, j) and (i + 1, j); component 1: turned.
+  for (int component = 0; component < 2; ++component)
+  {
+    const auto velocity = [&](const int along, const int across)
+    { return component * n_u + across * (m - 1) + along; };
+    const auto cell = [&](const int along, const int across)
+    { return component == 0 ? pressure(along, across) : pressure(across, along); };
+    for (int along = 0; along < m - 1; ++along)
+      for (int across = 0; across < m; ++across)
+      {
+        const int row = velocity(along, across);
+        add(row, row, 4.5);
+        for (int side = -1; side <= 1; side += 2)
+        {
+          if (along + side >= 0 && along + side < m - 1)
+            add(row, velocity(along + side, across), -1. + 0.3 * side);
+          if (across + side >= 0 && across + side < m)
+            add(row, velocity(along, across + side), -1. - 0.2 * side);
+          const int of_side = cell(along + (side + 1) / 2, across);
+          add(row, of_side, side);
+          add(of_side, row, -side);
+        }
+      }
+  }
+  add(pressure(0, 0), pressure(0, 0), 1.);
+  return matrix;
+}
+
+/// [0 B; B^T 0] with B of convection and diffusion on m x m cells: no pivot is on the diagonal.
+inline Triplets without_diagonal(const int m)
+{
+  Triplets matrix;
+  const int n = m * m;
+  matrix.n = 2 * n;
+  const auto add = [&](const int row, const int column, const double value)
+  {
+    matrix.rows.insert(matrix.rows.end(), {row, n + column});
+    matrix.columns.insert(matrix.columns.end(), {n + column, row});
+    matrix.values.insert(matrix.values.end(), {value, value});
+  };
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < m; ++i)
+    {
+      const int row = j * m + i;
+      add(row, row, 4.5);
+      for (int side = -1; side <= 1; side += 2)
+      {
+        if (i + side >= 0 && i + side < m)
+          add(row, row + side, -1. + 0.3 * side);
+        if (j + side >= 0 && j + side < m)
+          add(row, row + side * m, -1. - 0.2 * side);
+      }
+    }
+  return matrix;
+}
+
 /// Matrix times vector.
 inline std::vector<double> multiply(const Triplets &matrix, const std::vector<double> &x)
 {

@@ -85,6 +85,17 @@ class StepCounts(unittest.TestCase):
         self.assertGreaterEqual(counts.corrections, 2)
         self.check(counts, 4, 0, 20)
 
+    def test_entries_of_a_factor(self):
+        """Of an incompressible liquid with convection: 540,000, and 870,000 with the strategy that UMFPACK itself chooses."""
+        with tempfile.TemporaryDirectory() as folder:
+            output = os.path.join(folder, "run")
+            command = [PROGRAM, os.path.join(ROOT, "parameter_files", "verification/cylinder-wake.prm"), "--output", output, "--set", "Time/End time=2 ms"]
+            for key, value in WAKE.items():
+                command += ["--set", f"{key}={value}"]
+            subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            with open(os.path.join(output, "summary.json"), encoding="utf-8") as stream:
+                self.assertLess(json.load(stream)["factor entries"], 650000)
+
 
 if __name__ == "__main__":
     unittest.main()

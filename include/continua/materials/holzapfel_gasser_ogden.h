@@ -1,7 +1,15 @@
 #ifndef continua_materials_holzapfel_gasser_ogden_h
 #define continua_materials_holzapfel_gasser_ogden_h
 
+#include <continua/base/deviatoric_part.h>
+#include <continua/base/of_each.h>
+#include <continua/materials/isochoric_strain.h>
+#include <continua/materials/isochoric_stress.h>
 #include <continua/materials/strain_law.h>
+
+#include <deal.II/base/vectorization.h>
+
+#include <cmath>
 
 namespace Continua
 {
@@ -25,6 +33,14 @@ public:
                        double fibre_exponent,
                        double dispersion);
 
+  /// As of StrainLaw.
+  template <typename Number>
+  void set_stress(const PointStrainOf<Number> &strain,
+                  dealii::SymmetricTensor<2, 3, Number> &stress) const;
+  template <typename Number>
+  void set_tangent(const PointStrainOf<Number> &strain,
+                   dealii::SymmetricTensor<2, 3, Number> &stress,
+                   dealii::SymmetricTensor<4, 3, Number> &tangent) const;
   void set_stress(const PointStrain &strain, dealii::SymmetricTensor<2, 3> &stress) const override;
   void set_tangent(const PointStrain &strain,
                    dealii::SymmetricTensor<2, 3> &stress,
@@ -37,7 +53,81 @@ private:
   double stiffness;  ///< k1 [Pa]
   double exponent;   ///< k2 [1]
   double dispersion; ///< kappa [1]
+
+  /// One family of fibres.
+  template <typename Number>
+  struct FibreStrain
+  {
+    dealii::SymmetricTensor<2, 3, Number> structure; ///< H [1]
+    Number strain;                                   ///< E = tr H - 1 [1]
+    Number borne;                                    ///< 1 where E > 0, else 0
+  };
+
+  template <typename Number>
+  FibreStrain<Number> fibre_strain(const PointStrainOf<Number> &strain,
+                                   const IsochoricStrainOf<Number> &isochoric,
+                                   const dealii::Tensor<1, 3, Number> &direction) const;
+  /// exp(k2 E^2).
+  template <typename Number>
+  Number growth(const Number &strain) const
+  {
+    return of_each([](const double power) { return std::exp(power); }, exponent * strain * strain);
+  }
 };
+template <typename Number>
+typename HolzapfelGasserOgden::FibreStrain<Number>
+HolzapfelGasserOgden::fibre_strain(const PointStrainOf<Number> &strain,
+                                   const IsochoricStrainOf<Number> &isochoric,
+                                   const dealii::Tensor<1, 3, Number> &direction) const
+{
+  const dealii::Tensor<1, 3, Number> fibre = strain.gradient * direction;
+  const double aligned = 1. - 3. * dispersion;
+  // E by tr Bb - 3: an isotropic family has one of second order in the strain.
+  const Number e =
+      dispersion * isochoric.first_excess + aligned * (isochoric.factor * fibre.norm_square() - 1.);
+  return {dispersion * isochoric.left +
+              aligned * isochoric.factor * symmetrize(outer_product(fibre, fibre)),
+          e,
+          // Of a fibre that bears nothing the exponential has no use, and might be infinite.
+          dealii::compare_and_apply_mask<dealii::SIMDComparison::greater_than>(
+              e, Number(0.), Number(1.), Number(0.))};
+}
+
+template <typename Number>
+void HolzapfelGasserOgden::set_stress(const PointStrainOf<Number> &strain,
+                                      dealii::SymmetricTensor<2, 3, Number> &stress) const
+{
+  const IsochoricStrainOf<Number> isochoric(strain);
+  stress = modulus * isochoric.left;
+  for (const dealii::Tensor<1, 3, Number> &direction : strain.fibres)
+  {
+    const FibreStrain<Number> fibre = fibre_strain(strain, isochoric, direction);
+    const Number e = fibre.borne * fibre.strain;
+    stress += 2. * stiffness * e * growth(e) * fibre.structure;
+  }
+  stress = deviatoric_part(stress);
+}
+
+template <typename Number>
+void HolzapfelGasserOgden::set_tangent(const PointStrainOf<Number> &strain,
+                                       dealii::SymmetricTensor<2, 3, Number> &stress,
+                                       dealii::SymmetricTensor<4, 3, Number> &tangent) const
+{
+  const IsochoricStrainOf<Number> isochoric(strain);
+  dealii::SymmetricTensor<2, 3, Number> fictitious = modulus * isochoric.left;
+  dealii::SymmetricTensor<4, 3, Number> of_fibres;
+  for (const dealii::Tensor<1, 3, Number> &direction : strain.fibres)
+  {
+    const FibreStrain<Number> fibre = fibre_strain(strain, isochoric, direction);
+    const Number e = fibre.borne * fibre.strain, growth_of_fibre = growth(e);
+    fictitious += 2. * stiffness * e * growth_of_fibre * fibre.structure;
+    const dealii::SymmetricTensor<2, 3, Number> deviatoric = deviatoric_part(fibre.structure);
+    of_fibres += 4. * stiffness * fibre.borne * (1. + 2. * exponent * e * e) * growth_of_fibre *
+                 dyadic_product(deviatoric, deviatoric);
+  }
+  stress = deviatoric_part(fictitious);
+  tangent = isochoric_tangent(trace(fictitious), stress) + of_fibres;
+}
 } // namespace Continua
 
 #endif

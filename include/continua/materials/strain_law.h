@@ -9,19 +9,23 @@
 namespace Continua
 {
 /// The elastic deformation at a point. Gradients are always 3x3 (plane strain: F_33 = 1;
-/// axisymmetric: F_33 = 1 + d_R/R).
-struct PointStrain
+/// axisymmetry: F_33 = 1 + d_R/R). `Number`: double, or several points at once.
+template <typename Number>
+struct PointStrainOf
 {
-  dealii::Tensor<2, 3> gradient;                 ///< F [1]
-  double determinant = 1.;                       ///< J = det F [1], positive
-  std::vector<dealii::Tensor<1, 3>> fibres = {}; ///< unit directions in the stress-free state
+  dealii::Tensor<2, 3, Number> gradient; ///< F [1]
+  Number determinant = 1.;               ///< J = det F [1], positive
+  /// Unit directions in the stress-free state.
+  std::vector<dealii::Tensor<1, 3, Number>> fibres = {};
 };
+using PointStrain = PointStrainOf<double>;
 
 /**
  * A hyperelastic law at a point: stress and tangent from the deformation gradient. tau is the
  * deviator of the Kirchhoff stress (J sigma); the pressure is an unknown of its own,
  * p = -tr(sigma)/3. No function allocates memory or changes the law, so that one law serves all
- * points.
+ * points. A law has the text of set_stress(), set_tangent() and set_stresses() as templates in the
+ * number beside these functions, which are those of double: see SolidAtPoints.
  */
 class StrainLaw
 {

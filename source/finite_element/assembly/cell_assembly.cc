@@ -113,6 +113,26 @@ void CellAssembly<dim>::set_rows_of_point(const unsigned int q, const Directions
 }
 
 template <int dim>
+void CellAssembly<dim>::take_derivative(const unsigned int q,
+                                        const double *numbers,
+                                        const bool has_pressure_gradient)
+{
+  const auto take = [&numbers](Column &column)
+  {
+    for (std::array<double, dim + 1> &of_component : column.of_momentum)
+      for (double &number : of_component)
+        number = *numbers++;
+    column.of_volume = *numbers++;
+  };
+  for (std::array<Column, dim + 1> &of_component : by_velocity)
+    for (Column &column : of_component)
+      take(column);
+  for (unsigned int k = 0; k <= (has_pressure_gradient ? dim : 0); ++k)
+    take(by_pressure[k]);
+  set_rows_of_point(q, {has_pressure_gradient, nullptr});
+}
+
+template <int dim>
 void CellAssembly<dim>::finish_matrix(FullMatrix<double> &matrix)
 {
   const std::size_t n_functions = cells.n_functions(), n_unknowns = of_momentum[0].n();

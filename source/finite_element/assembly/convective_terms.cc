@@ -27,7 +27,7 @@ ConvectiveTerms<dim>::ConvectiveTerms(const Space<dim> &space,
            space.quadrature((3 * space.degree() + 2 + (space.is_axisymmetric() ? 1 : 0)) / 2),
            RegionModel::flow,
            kinds_of<StreamlineFlowTerms, BodyForceTerms, FlowFaceTerms>()),
-      set_flow_terms(flow_terms_of<dim>(set_of_terms)),
+      flow_terms(flow_terms_of<dim>(set_of_terms)),
       streamline_terms(space, problem, quadrature),
       here(problem,
            cells,
@@ -124,7 +124,7 @@ double ConvectiveTerms<dim>::add_flow_terms()
 {
   double least_stiffening = 1.;
   Base::set_terms([&](const PowersAtPoints *const asked, const TestedAtPoints &result)
-                  { least_stiffening = set_flow_terms(here.all_points(), asked, result); });
+                  { least_stiffening = flow_terms.set(here.all_points(), asked, result); });
   return least_stiffening;
 }
 
@@ -230,32 +230,45 @@ NonlinearEnergy ConvectiveTerms<dim>::energy_of(const unsigned int region, const
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
+void ConvectiveTerms<dim>::take_derivatives()
 {
-  here.visit(cell);
+  const bool has_pressure_gradient = couples_pressures(here.cell());
+  const std::size_t n_of_point =
+      n_directions<dim>(has_pressure_gradient) * n_numbers_of_direction<dim>;
+  derivative_at_points.resize(n_of_point * cells.n_points());
+  flow_terms.set_derivative(here.all_points(), has_pressure_gradient, derivative_at_points.data());
+  for (unsigned int q = 0; q < cells.n_points(); ++q)
+    assembly.take_derivative(q, &derivative_at_points[n_of_point * q], has_pressure_gradient);
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::take_derivatives_with_streamline()
+{
+  streamline_terms.visit(here.cell().velocity_cell, step);
   typename CellAssembly<dim>::Directions directions;
-  directions.pressure_gradient = couples_pressures(cell);
-  if (streamline_terms.are_on())
-  {
-    streamline_terms.visit(cell.velocity_cell, step);
-    directions.pressure_gradient = true;
-    directions.viscous_forces = &streamline_terms.viscous_forces();
-  }
+  directions.pressure_gradient = true;
+  directions.viscous_forces = &streamline_terms.viscous_forces();
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const typename Cell::Point &geometry = here.points()[q];
     Point at_point = here.point(q);
-    if (streamline_terms.are_on())
-      streamline_terms.set_point(q, here.state(), at_point);
+    streamline_terms.set_point(q, here.state(), at_point);
     assembly.take_derivative(q, geometry.inverse_jacobian, geometry.weight, directions,
-                             [&](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
-                             {
-                               const FlowChange<dim> change(at_point, of_unknowns);
-                               FlowTerms::add_derivative(at_point, change, tested);
-                               if (streamline_terms.are_on())
-                                 Streamline::add_derivative(at_point, change, tested);
+                             [&](const PointChange<dim> &of_unknowns, Tested<dim> &tested) {
+                               StreamlineFlowTerms::add_derivative(
+                                   at_point, FlowChange<dim>(at_point, of_unknowns), tested);
                              });
   }
+}
+
+template <int dim>
+void ConvectiveTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
+{
+  here.visit(cell);
+  if (streamline_terms.are_on())
+    take_derivatives_with_streamline();
+  else
+    take_derivatives();
   assembly.finish_matrix(matrix);
   // A body force does not change where the mesh is held.
   for (const TermFace<dim> &face : faces.of(cell))

@@ -2,6 +2,7 @@
 
 #include <continua/base/input_error.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -22,13 +23,15 @@ constexpr double share_of_rest = 0.1;
 template <int dim>
 DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
                                         const Problem &problem,
-                                        MetricHistory<dim> *const metrics)
+                                        MetricHistory<dim> *const metrics,
+                                        const InstructionSet set_of_terms)
     // As the linear stress, to which the terms come close where the deformation is small.
     : Base(space,
            problem,
            space.quadrature(space.n_quadrature_points()),
            RegionModel::finite_solid,
            kinds_of<SolidTerms, BodyForceTerms, SolidFaceTerms>()),
+      solid_terms(solid_terms_of<dim>(set_of_terms)),
       rest_states(space, problem, quadrature, cells),
       here(problem,
            cells,
@@ -38,6 +41,8 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
       metrics(metrics),
       heat(problem.regions.size(), 0.)
 {
+  // The terms take up to eight points at a time.
+  AssertThrow(cells.n_points() >= 8, ExcInternalError());
 }
 
 template <int dim>
@@ -129,33 +134,22 @@ void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const Stat
 template <int dim>
 double DeformationTerms<dim>::integrate()
 {
-  const bool has_body_force = body_forces.visit(here.cell(), step, here.displacement());
-  double least_ratio = std::numeric_limits<double>::max();
-  for (unsigned int q = 0; q < cells.n_points(); ++q)
-  {
-    const Point point = here.point(q, Stress::alone);
-    const double least = std::min(point.volume_ratio(), point.rest_ratio);
-    // What is no number fails the comparisons.
-    if (!(least >= least_ratio))
-      least_ratio = least;
-    if (!(least > 0.))
-      continue;
-    sizes.stress = std::max(sizes.stress,
-                            point.stress.norm() + std::abs(point.volume_ratio() * point.pressure));
-    const Tensor<2, dim> inverse_jacobian = here.inverse_jacobian(point, q);
-    const double weight = here.cell().points[q].weight;
-    Base::template add_terms<SolidTerms>(q, inverse_jacobian, weight, point);
-    if (has_body_force)
-      Base::template add_terms<BodyForceTerms>(q, inverse_jacobian, weight, body_forces.point(q),
-                                               SolidTerms::size);
-  }
+  SolidExtremes extremes;
+  Base::set_terms([&](const PowersAtPoints *const asked, const TestedAtPoints &result)
+                  { extremes = solid_terms.set(here.all_points(), asked, result); });
+  sizes.stress = std::max(sizes.stress, extremes.stress);
+  if (extremes.volume_ratio > 0. && body_forces.visit(here.cell(), step, here.displacement()))
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+      Base::template add_terms<BodyForceTerms>(
+          q, here.inverse_jacobian(here.point(q, Stress::none), q), here.cell().points[q].weight,
+          body_forces.point(q), SolidTerms::size);
   assembly.finish_rows(cell_momentum, cell_volume);
   for (const TermFace<dim> &face : faces.of(here.cell()))
     for (unsigned int q = 0; q < face.points.size(); ++q)
       Base::template add_face_terms<SolidFaceTerms>(
           face.points[q], face_points.of_solid(face, q, here.displacement()),
           SolidTerms::size + BodyForceTerms::size);
-  return least_ratio;
+  return extremes.volume_ratio;
 }
 
 template <int dim>
@@ -278,19 +272,15 @@ NonlinearEnergy DeformationTerms<dim>::energy_of(const unsigned int region, cons
 }
 
 template <int dim>
-void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
+void DeformationTerms<dim>::take_derivatives_of_points(const bool has_body_force)
 {
-  here.visit(cell);
-  // What finds the unloaded shape leaves the place at which the loads act.
-  const bool has_body_force =
-      body_forces.visit(cell, step, here.displacement()) && !step.finds_unloaded_shape;
   for (unsigned int q = 0; q < cells.n_points(); ++q)
   {
     const Point point = here.point(q, Stress::with_tangent);
     BodyForcePoint<dim> body_force;
     if (has_body_force)
       body_force = body_forces.point_with_slope(q, here.displacement_by_velocity());
-    assembly.take_derivative(q, here.inverse_jacobian(point, q), cell.points[q].weight, {},
+    assembly.take_derivative(q, here.inverse_jacobian(point, q), here.cell().points[q].weight, {},
                              [&](const PointChange<dim> &of_unknowns, Tested<dim> &tested)
                              {
                                SolidTerms::add_derivative(
@@ -298,6 +288,25 @@ void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> 
                                if (has_body_force)
                                  BodyForceTerms::add_derivative(body_force, of_unknowns, tested);
                              });
+  }
+}
+
+template <int dim>
+void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> &matrix)
+{
+  here.visit(cell);
+  // What finds the unloaded shape leaves the place at which the loads act.
+  const bool has_body_force =
+      body_forces.visit(cell, step, here.displacement()) && !step.finds_unloaded_shape;
+  if (has_body_force || here.finds_unloaded())
+    take_derivatives_of_points(has_body_force);
+  else
+  {
+    constexpr unsigned int n_numbers = n_numbers_of_direction<dim> * n_numbers_of_direction<dim>;
+    derivative_at_points.resize(n_numbers * cells.n_points());
+    solid_terms.set_derivative(here.all_points(), derivative_at_points.data());
+    for (unsigned int q = 0; q < cells.n_points(); ++q)
+      assembly.take_derivative(q, &derivative_at_points[n_numbers * q], false);
   }
   assembly.finish_matrix(matrix);
   for (const TermFace<dim> &face : faces.of(cell))

@@ -8,20 +8,20 @@
 namespace Continua
 {
 template <int dim>
-SetFlowTerms<dim> flow_terms_of(const InstructionSet instruction_set)
+FlowTermsAtPoints<dim> flow_terms_of(const InstructionSet instruction_set)
 {
   AssertThrow(can_run(instruction_set), dealii::ExcInternalError());
 #ifdef CONTINUA_AVX512
   if (instruction_set == InstructionSet::avx512)
-    return set_flow_terms_avx512<dim>;
+    return flow_terms_avx512<dim>();
 #endif
 #ifdef CONTINUA_AVX2
   if (instruction_set == InstructionSet::avx2)
-    return set_flow_terms_avx2<dim>;
+    return flow_terms_avx2<dim>();
 #endif
-  return FlowOfWidth<dim, 1>::set_all;
+  return {FlowOfWidth<dim, 1>::set_all, FlowOfWidth<dim, 1>::set_derivative_of_all};
 }
 
-template SetFlowTerms<2> flow_terms_of<2>(InstructionSet);
-template SetFlowTerms<3> flow_terms_of<3>(InstructionSet);
+template FlowTermsAtPoints<2> flow_terms_of<2>(InstructionSet);
+template FlowTermsAtPoints<3> flow_terms_of<3>(InstructionSet);
 } // namespace Continua

@@ -5,4 +5,4 @@
 
 #include <continua/finite_element/assembly/flow_at_points.templates.h>
 
-CONTINUA_DEFINE_SET_FLOW_TERMS(set_flow_terms_avx2, 4)
+CONTINUA_DEFINE_FLOW_TERMS(flow_terms_avx2, 4)

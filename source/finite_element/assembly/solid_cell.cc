@@ -73,6 +73,25 @@ double SolidCell<dim>::largest_displacement() const
 }
 
 template <int dim>
+SolidAtPoints<dim> SolidCell<dim>::all_points() const
+{
+  SolidAtPoints<dim> all;
+  all.n_points = cells.n_points();
+  all.geometry = present->points.data();
+  all.scheme = scheme;
+  all.law = material().strain_law.get();
+  all.rest = rest_states.at(*present, 0);
+  all.branches = relaxes() ? &metrics->predicted(number(), 0) : nullptr;
+  all.has_mass_of_mesh = finds_unloaded_shape;
+  all.velocity = velocity_at_points.numbers();
+  all.displacement = displacement_at_points.numbers();
+  all.acceleration = acceleration_at_points.numbers();
+  all.pressure = pressure_at_points.numbers();
+  all.pressure_rate = pressure_rate_at_points.numbers();
+  return all;
+}
+
+template <int dim>
 SolidPoint<dim> SolidCell<dim>::point(const unsigned int q, const Stress of_law)
 {
   const typename Cell::Point &geometry = present->points[q];

@@ -115,6 +115,8 @@ public:
     }
     set_rows_of_point(q, directions);
   }
+  /// Likewise of what FlowTermsAtPoints or SolidTermsAtPoints have set at a point.
+  void take_derivative(unsigned int q, const double *numbers, bool has_pressure_gradient);
   /// Sets the matrix of the cell: velocities first, rows of volume times -1.
   void finish_matrix(dealii::FullMatrix<double> &matrix);
 

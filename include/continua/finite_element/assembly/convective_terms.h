@@ -86,13 +86,14 @@ private:
   using typename Base::Cell;
   using Point = StreamlinePoint<dim>;
 
-  const SetFlowTerms<dim> set_flow_terms;
+  const FlowTermsAtPoints<dim> flow_terms;
   StreamlineTerms<dim> streamline_terms;
   FlowCell<dim> here; ///< the state in the present cell
   FlowProduct<dim> product;
   // Of the state, with ghost entries.
   DistributedVector acceleration, pressure_rate;
   DistributedVector mesh_displacement, mesh_velocity; ///< empty where the mesh stays
+  std::vector<double> derivative_at_points;           ///< see FlowTermsAtPoints
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
@@ -110,6 +111,9 @@ private:
   /// The terms inside the present cell, likewise.
   double add_flow_terms();
   double add_streamline_terms();
+  /// The derivative of these, to the assembly.
+  void take_derivatives();
+  void take_derivatives_with_streamline();
   /// Throws StepFailure where the least of VolumeLaw::stiffening() is not positive. Collective.
   void refuse_softening(double least_stiffening, unsigned int softest) const;
 };

@@ -1,9 +1,11 @@
 #ifndef continua_finite_element_assembly_deformation_terms_h
 #define continua_finite_element_assembly_deformation_terms_h
 
+#include <continua/base/instruction_set.h>
 #include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/assembly/rest_states.h>
+#include <continua/finite_element/assembly/solid_at_points.h>
 #include <continua/finite_element/assembly/solid_cell.h>
 #include <continua/finite_element/terms/solid_face_terms.h>
 #include <continua/finite_element/terms/solid_terms.h>
@@ -36,10 +38,12 @@ template <int dim>
 class DeformationTerms : public NonlinearCellTerms<dim>
 {
 public:
-  /// All must outlive it; `metrics`: null where nothing relaxes.
+  /// All must outlive it; `metrics`: null where nothing relaxes; `set_of_terms`: of the terms
+  /// inside the cells.
   DeformationTerms(const Space<dim> &space,
                    const Problem &problem,
-                   MetricHistory<dim> *metrics = nullptr);
+                   MetricHistory<dim> *metrics = nullptr,
+                   InstructionSet set_of_terms = widest_instruction_set());
 
   void reinit() override;
 
@@ -87,6 +91,7 @@ private:
   using Point = SolidPoint<dim>;
   using Stress = typename SolidCell<dim>::Stress;
 
+  const SolidTermsAtPoints<dim> solid_terms;
   RestStates<dim> rest_states;
   SolidCell<dim> here; ///< the state in the present cell
   MetricHistory<dim> *const metrics;
@@ -94,6 +99,7 @@ private:
   // Of the state, with ghost entries.
   DistributedVector displacement, pressure_rate, acceleration;
   Sizes sizes;
+  std::vector<double> derivative_at_points; ///< see SolidTermsAtPoints
 
   void take(const BalancedStep &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
@@ -104,6 +110,8 @@ private:
   void visit(const Cell &cell) override { here.visit(cell); }
   /// The least volume ratio.
   double integrate() override;
+  /// The derivative of the terms inside the cell at one point after the other, to the assembly.
+  void take_derivatives_of_points(bool has_body_force);
   NonlinearEnergy energy_at(unsigned int q);
   /// Throws StepFailure where a volume ratio of some rank is not positive. Collective.
   void refuse_inversion(double least_ratio, const Cell *worst) const;

@@ -28,30 +28,30 @@ struct FlowAtPoints
   NumbersAtPoints<const double> mesh_velocity; ///< values [m/s]; null: the mesh stays
 };
 
-/**
- * Sets what the FlowTerms give at all points of a cell, for several points at a time: the width of
- * an instruction set. Where powers are asked for, only the terms that are taken count.
- *
- * @return the least of VolumeLaw::stiffening().
- */
+/// What the FlowTerms give at all points of a cell, computed for several points at a time: the
+/// width of an instruction set.
 template <int dim>
-using SetFlowTerms = double (*)(const FlowAtPoints<dim> &cell,
-                                const PowersAtPoints *asked,
-                                const TestedAtPoints &result);
+struct FlowTermsAtPoints
+{
+  /// Where powers are asked for, only the terms that are taken count. The least of
+  /// VolumeLaw::stiffening().
+  double (*set)(const FlowAtPoints<dim> &cell,
+                const PowersAtPoints *asked,
+                const TestedAtPoints &result);
+  /// Sets what the derivative gives, times the weight: at each point, in each of n_directions(),
+  /// the numbers one after the other.
+  void (*set_derivative)(const FlowAtPoints<dim> &cell, bool has_pressure_gradient, double *result);
+};
 
 /// Of the instruction set that is given. It must be one that can run here.
 template <int dim>
-SetFlowTerms<dim> flow_terms_of(InstructionSet instruction_set);
+FlowTermsAtPoints<dim> flow_terms_of(InstructionSet instruction_set);
 
 // One for each instruction set, each in a file that is compiled for it alone.
 template <int dim>
-double set_flow_terms_avx2(const FlowAtPoints<dim> &cell,
-                           const PowersAtPoints *asked,
-                           const TestedAtPoints &result);
+FlowTermsAtPoints<dim> flow_terms_avx2();
 template <int dim>
-double set_flow_terms_avx512(const FlowAtPoints<dim> &cell,
-                             const PowersAtPoints *asked,
-                             const TestedAtPoints &result);
+FlowTermsAtPoints<dim> flow_terms_avx512();
 } // namespace Continua
 
 #endif

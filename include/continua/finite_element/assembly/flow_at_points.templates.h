@@ -16,7 +16,7 @@ template <int dim, std::size_t width>
 class FlowOfWidth
 {
 public:
-  /// See SetFlowTerms.
+  /// See FlowTermsAtPoints.
   static double set_all(const FlowAtPoints<dim> &cell,
                         const PowersAtPoints *const asked,
                         const TestedAtPoints &result)
@@ -31,6 +31,18 @@ public:
       least_stiffening = std::min(least_stiffening, points.least_stiffening());
     }
     return least_stiffening;
+  }
+  /// See FlowTermsAtPoints.
+  static void set_derivative_of_all(const FlowAtPoints<dim> &cell,
+                                    const bool has_pressure_gradient,
+                                    double *const result)
+  {
+    for (unsigned int n_done = 0; n_done < cell.n_points; n_done += width)
+    {
+      FlowOfWidth points(cell, std::min<unsigned int>(n_done, cell.n_points - width));
+      points.set_slopes();
+      points.set_derivative(has_pressure_gradient, result);
+    }
   }
 
 private:
@@ -122,6 +134,19 @@ private:
     for (unsigned int lane = 0; lane < width; ++lane)
       point.viscosity[lane] = cell.flow_curve->viscosity(rate[lane]);
   }
+  /// Of density and viscosity.
+  void set_slopes()
+  {
+    if (cell.volume_law.inverse_bulk_modulus != 0.)
+      for (unsigned int lane = 0; lane < width; ++lane)
+        point.compressibility_slope[lane] =
+            cell.volume_law.compressibility_slope(point.pressure[lane]);
+    if (cell.flow_curve == nullptr)
+      return;
+    const Lanes rate = point.shear_rate();
+    for (unsigned int lane = 0; lane < width; ++lane)
+      point.viscosity_slope[lane] = cell.flow_curve->slope_over_rate(rate[lane]);
+  }
   double least_stiffening() const
   {
     double least = cell.volume_law.stiffening(point.pressure[0]);
@@ -150,6 +175,56 @@ private:
     }
     (weight * tested.of_volume).store(result.volume + first);
   }
+  void set_derivative(const bool has_pressure_gradient, double *const result) const
+  {
+    constexpr unsigned int n_numbers = n_numbers_of_direction<dim>;
+    std::array<unsigned int, width> offsets;
+    for (unsigned int lane = 0; lane < width; ++lane)
+      offsets[lane] = n_directions<dim>(has_pressure_gradient) * n_numbers * (first + lane);
+    double *next = result;
+    const auto put = [&](const PointChange<dim, Lanes> &change)
+    {
+      const std::array<Lanes, n_numbers> column = column_of(change);
+      dealii::vectorized_transpose_and_store(false, n_numbers, column.data(), offsets.data(), next);
+      next += n_numbers;
+    };
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int k = 0; k <= dim; ++k)
+      {
+        PointChange<dim, Lanes> change;
+        if (k == 0)
+          change.velocity[d] = 1.;
+        else
+          change.velocity_gradient[d] = inverse_jacobian[k - 1];
+        put(change);
+      }
+    for (unsigned int k = 0; k <= (has_pressure_gradient ? dim : 0); ++k)
+    {
+      PointChange<dim, Lanes> change;
+      if (k == 0)
+        change.pressure = 1.;
+      else
+        change.pressure_gradient = inverse_jacobian[k - 1];
+      put(change);
+    }
+  }
+  std::array<Lanes, n_numbers_of_direction<dim>>
+  column_of(const PointChange<dim, Lanes> &change) const
+  {
+    Tested<dim, Lanes> tested;
+    FlowTerms::add_derivative(point, FlowChange<dim, Lanes>(point, change), tested);
+    std::array<Lanes, n_numbers_of_direction<dim>> column;
+    auto next = column.begin();
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      *next++ = weight * tested.by_value[c];
+      const Vector1 by_slopes = inverse_jacobian * tested.by_gradient[c];
+      for (unsigned int s = 0; s < dim; ++s)
+        *next++ = weight * by_slopes[s];
+    }
+    *next = weight * tested.of_volume;
+    return column;
+  }
   /// Adds what the terms give that are taken, and their powers.
   void add_by_kind(const PowersAtPoints &asked,
                    const unsigned int n_known,
@@ -177,21 +252,17 @@ private:
 };
 } // namespace Continua
 
-/// The function of one instruction set, with its width.
-#define CONTINUA_DEFINE_SET_FLOW_TERMS(name, width)                                                \
+/// The functions of one instruction set, with its width.
+#define CONTINUA_DEFINE_FLOW_TERMS(name, width)                                                    \
   namespace Continua                                                                               \
   {                                                                                                \
   template <int dim>                                                                               \
-  double name(const FlowAtPoints<dim> &cell,                                                       \
-              const PowersAtPoints *const asked,                                                   \
-              const TestedAtPoints &result)                                                        \
+  FlowTermsAtPoints<dim> name()                                                                    \
   {                                                                                                \
-    return FlowOfWidth<dim, width>::set_all(cell, asked, result);                                  \
+    return {FlowOfWidth<dim, width>::set_all, FlowOfWidth<dim, width>::set_derivative_of_all};     \
   }                                                                                                \
-  template double                                                                                  \
-  name<2>(const FlowAtPoints<2> &, const PowersAtPoints *, const TestedAtPoints &);                \
-  template double                                                                                  \
-  name<3>(const FlowAtPoints<3> &, const PowersAtPoints *, const TestedAtPoints &);                \
+  template FlowTermsAtPoints<2> name<2>();                                                         \
+  template FlowTermsAtPoints<3> name<3>();                                                         \
   }
 
 #endif

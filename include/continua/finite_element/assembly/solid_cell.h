@@ -4,6 +4,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/rest_states.h>
+#include <continua/finite_element/assembly/solid_at_points.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/values_at_points.h>
 #include <continua/finite_element/terms/solid_point.h>
@@ -56,6 +57,9 @@ public:
   double largest_displacement() const;
   /// b = dD/dU [s].
   double displacement_by_velocity() const { return scheme.displacement_by_velocity; }
+  /// The state at all quadrature points, until the next visit(); only where no unloaded shape is
+  /// looked for, or for stresses alone.
+  SolidAtPoints<dim> all_points() const;
   /// The state at a quadrature point; without stress where it is turned inside out. Makes strain()
   /// that of the point, and keeps what its `unloading` points to until the next call.
   SolidPoint<dim> point(unsigned int q, Stress of_law);
@@ -63,6 +67,7 @@ public:
   const PointStrain &strain() const { return strain_at_point; }
   /// The inverse Jacobian of the present place at a point.
   dealii::Tensor<2, dim> inverse_jacobian(const SolidPoint<dim> &point, unsigned int q) const;
+  bool finds_unloaded() const { return finds_unloaded_shape; }
   bool relaxes() const { return metrics != nullptr && metrics->relaxes(present->region); }
   /// The number of the cell among the active ones.
   unsigned int number() const { return present->velocity_cell->active_cell_index(); }

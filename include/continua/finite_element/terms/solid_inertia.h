@@ -11,14 +11,15 @@ struct SolidInertia
 {
   static constexpr PowerKind power = &NonlinearPowers::inertia;
 
-  template <int dim>
-  static void add(const SolidPoint<dim> &point, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add(const SolidPoint<dim, Number> &point, Tested<dim, Number> &tested)
   {
     tested.by_value += (point.scheme.density * point.mass_ratio) * point.acceleration;
   }
-  template <int dim>
-  static void
-  add_derivative(const SolidPoint<dim> &point, const SolidChange<dim> &change, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add_derivative(const SolidPoint<dim, Number> &point,
+                             const SolidChange<dim, Number> &change,
+                             Tested<dim, Number> &tested)
   {
     tested.by_value += (point.scheme.density * point.mass_ratio) * change.acceleration;
   }

@@ -11,25 +11,30 @@ struct SolidPressure
 {
   static constexpr PowerKind power = &NonlinearPowers::compression;
 
-  template <int dim>
-  static void add(const SolidPoint<dim> &point, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add(const SolidPoint<dim, Number> &point, Tested<dim, Number> &tested)
   {
-    const double scaled = point.volume_ratio() * point.pressure;
-    point.add_stress(-scaled * unit(), tested);
+    const Number scaled = point.volume_ratio() * point.pressure;
+    point.add_stress(-scaled * unit<Number>(), tested);
   }
-  template <int dim>
-  static void
-  add_derivative(const SolidPoint<dim> &point, const SolidChange<dim> &change, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add_derivative(const SolidPoint<dim, Number> &point,
+                             const SolidChange<dim, Number> &change,
+                             Tested<dim, Number> &tested)
   {
-    const double scaled = point.volume_ratio() * point.pressure,
+    const Number scaled = point.volume_ratio() * point.pressure,
                  scaled_change = point.volume_ratio() * change.pressure;
     point.add_stress(scaled * transpose(change.moved) -
-                         (scaled * trace(change.moved) + scaled_change) * unit(),
+                         (scaled * trace(change.moved) + scaled_change) * unit<Number>(),
                      tested);
   }
 
 private:
-  static dealii::Tensor<2, 3> unit() { return dealii::unit_symmetric_tensor<3>(); }
+  template <typename Number>
+  static dealii::Tensor<2, 3, Number> unit()
+  {
+    return dealii::unit_symmetric_tensor<3, Number>();
+  }
 };
 } // namespace Continua
 

@@ -12,19 +12,21 @@ struct SolidStress
 {
   static constexpr PowerKind power = &NonlinearPowers::strain;
 
-  template <int dim>
-  static void add(const SolidPoint<dim> &point, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add(const SolidPoint<dim, Number> &point, Tested<dim, Number> &tested)
   {
     point.add_stress(point.stress, tested);
   }
-  template <int dim>
-  static void
-  add_derivative(const SolidPoint<dim> &point, const SolidChange<dim> &change, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add_derivative(const SolidPoint<dim, Number> &point,
+                             const SolidChange<dim, Number> &change,
+                             Tested<dim, Number> &tested)
   {
-    const auto stress = static_cast<dealii::Tensor<2, 3>>(point.stress);
+    const auto stress = static_cast<dealii::Tensor<2, 3, Number>>(point.stress);
     // d tau = C : e + g tau + tau g^T, less tau g^T of the gradient of v by a place that moves.
-    auto acting = static_cast<dealii::Tensor<2, 3>>(point.tangent * symmetrize(change.elastic)) +
-                  change.elastic * stress;
+    auto acting =
+        static_cast<dealii::Tensor<2, 3, Number>>(point.tangent * symmetrize(change.elastic)) +
+        change.elastic * stress;
     if (point.unloading != nullptr)
       acting += stress * transpose(change.elastic) + change.rest_ratio * stress;
     point.add_stress(acting, tested);

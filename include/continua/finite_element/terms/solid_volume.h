@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_terms_solid_volume_h
 #define continua_finite_element_terms_solid_volume_h
 
+#include <continua/base/of_each.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/finite_element/terms/solid_point.h>
 
@@ -16,18 +17,19 @@ struct SolidVolume
 {
   static constexpr PowerKind power = nullptr;
 
-  template <int dim>
-  static void add(const SolidPoint<dim> &point, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add(const SolidPoint<dim, Number> &point, Tested<dim, Number> &tested)
   {
     tested.of_volume += point.volume_ratio() * row(point);
   }
-  template <int dim>
-  static void
-  add_derivative(const SolidPoint<dim> &point, const SolidChange<dim> &change, Tested<dim> &tested)
+  template <int dim, typename Number>
+  static void add_derivative(const SolidPoint<dim, Number> &point,
+                             const SolidChange<dim, Number> &change,
+                             Tested<dim, Number> &tested)
   {
     const SolidScheme &scheme = point.scheme;
     const double b = scheme.displacement_by_velocity;
-    double row_change = scheme.inverse_bulk_modulus *
+    Number row_change = scheme.inverse_bulk_modulus *
                         (scheme.volume_is_rate ? change.pressure_rate : change.pressure / b);
     if (scheme.has_own_mean_stress)
       // As a rate without the change of the slope itself, which the rate multiplies.
@@ -44,11 +46,11 @@ struct SolidVolume
 
 private:
   /// [1/s].
-  template <int dim>
-  static double row(const SolidPoint<dim> &point)
+  template <int dim, typename Number>
+  static Number row(const SolidPoint<dim, Number> &point)
   {
     const SolidScheme &scheme = point.scheme;
-    const double of_pressure =
+    const Number of_pressure =
         scheme.inverse_bulk_modulus * (scheme.volume_is_rate
                                            ? point.pressure_rate
                                            : point.pressure / scheme.displacement_by_velocity);
@@ -59,9 +61,10 @@ private:
                                     : point.mean_stress / scheme.displacement_by_velocity);
     if (scheme.volume_is_rate)
       return of_pressure + trace(point.velocity_gradient);
-    return of_pressure +
-           (std::log1p(point.kinematics.volume_change()) - std::log(point.rest_ratio)) /
-               scheme.displacement_by_velocity;
+    return of_pressure + (of_each([](const double change) { return std::log1p(change); },
+                                  point.kinematics.volume_change()) -
+                          std::log(point.rest_ratio)) /
+                             scheme.displacement_by_velocity;
   }
 };
 } // namespace Continua

@@ -17,7 +17,7 @@ namespace Continua
  *   add(point, tested)                   what it gives at a point
  *   add_derivative(point, change, tested)  the derivative of that in the direction of a change
  *
- * Those of a liquid inside its cells are templates in the number, so that one text serves the
+ * Those inside the cells are templates in the number, so that one text serves the
  * residual, the matrix of a cell and products without a matrix. A term that is no force, such as
  * the row of volume, has `power` null.
  */

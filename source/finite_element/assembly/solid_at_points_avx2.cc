@@ -1,0 +1,8 @@
+// Four points at a time.
+#include <deal.II/base/config.h>
+#undef DEAL_II_VECTORIZATION_WIDTH_IN_BITS
+#define DEAL_II_VECTORIZATION_WIDTH_IN_BITS 256
+
+#include <continua/finite_element/assembly/solid_at_points.templates.h>
+
+CONTINUA_DEFINE_SOLID_TERMS(solid_terms_avx2, 4)
