@@ -187,11 +187,11 @@ void Case<dim>::read_analysis(ParameterSection root)
       if (problem.is_nonlinear())
         rest.read(root.subsection("Steady"), true);
       else if (root.sets_in_subsection("Steady"))
-        root.subsection("Steady").refuse(
-            "",
-            "Analysis = harmonic reads this section in finite deformation only, for the state about "
-            "which the motion is small",
-            "Remove it, or set Deformation = finite");
+        root.subsection("Steady").refuse("",
+                                         "Analysis = harmonic reads this section in finite "
+                                         "deformation only, for the state about "
+                                         "which the motion is small",
+                                         "Remove it, or set Deformation = finite");
     }
     else if (analysis.name == "resonances")
       resonances.read(root.subsection("Resonances"));

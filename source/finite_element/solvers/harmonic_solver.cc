@@ -59,8 +59,8 @@ HarmonicSolver<dim>::HarmonicSolver(const Space<dim> &space,
 template <int dim>
 std::string HarmonicSolver<dim>::name() const
 {
-  return std::string("MUMPS, complex ") +
-         (matrix.is_symmetric() ? "L D L^T" : "L U") + " with pivoting, " + std::to_string(factors->n_side_by_side()) +
+  return std::string("MUMPS, complex ") + (matrix.is_symmetric() ? "L D L^T" : "L U") +
+         " with pivoting, " + std::to_string(factors->n_side_by_side()) +
          (factors->n_side_by_side() == 1 ? " frequency" : " frequencies") + " at a time";
 }
 

@@ -21,10 +21,7 @@ LoadedBody<dim>::LoadedBody(const Space<dim> &space,
                             const NonlinearTerms<dim> &terms,
                             MetricHistory<dim> *const metrics,
                             const LoadedState &state)
-    : space(space),
-      problem(problem),
-      at_rest(state),
-      cells(space, problem, terms, metrics, state)
+    : space(space), problem(problem), at_rest(state), cells(space, problem, terms, metrics, state)
 {
   for (unsigned int part : {0, 1})
   {
@@ -44,8 +41,8 @@ HarmonicCoefficients LoadedBody<dim>::coefficients(const Complex s) const
     Complex modulus = 0.;
     for (const Branch &branch : material.shear.branches)
       if (!std::isinf(branch.relaxation_time))
-        modulus += branch.shear_modulus * s * branch.relaxation_time /
-                   (1. + s * branch.relaxation_time);
+        modulus +=
+            branch.shear_modulus * s * branch.relaxation_time / (1. + s * branch.relaxation_time);
     result.mass.push_back(s * s);
     result.stiffness.push_back(modulus);
     result.viscosity.push_back(s);

@@ -107,8 +107,8 @@ LoadedCells<dim>::LoadedCells(const Space<dim> &space,
 
 template <int dim>
 void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
-                                 MetricHistory<dim> *const metrics,
-                                 const LoadedState &at_rest)
+                                  MetricHistory<dim> *const metrics,
+                                  const LoadedState &at_rest)
 {
   BalancedStep balanced;
   balanced.velocity = balanced.acceleration = space.velocity_vector();
@@ -117,11 +117,11 @@ void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
   balanced.displacement = at_rest.displacement;
   balanced.mesh_displacement = at_rest.mesh_displacement;
   balanced.mesh_velocity = space.velocity_vector();
-  balanced.boundary_pressures.assign(
-      std::count_if(problem.conditions.begin(), problem.conditions.end(),
-                    [](const BoundaryCondition &condition)
-                    { return condition.has_unknown_pressure(); }),
-      0.);
+  balanced.boundary_pressures.assign(std::count_if(problem.conditions.begin(),
+                                                   problem.conditions.end(),
+                                                   [](const BoundaryCondition &condition)
+                                                   { return condition.has_unknown_pressure(); }),
+                                     0.);
   double smallest = std::numeric_limits<double>::max();
   for (const auto &of_model : terms)
   {
@@ -130,9 +130,9 @@ void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
     {
       balanced.step = step;
       std::size_t number = first;
-      of_model->visit_derivatives(
-          balanced, [&](const QuadratureCell<dim> &cell, const Matrix &matrix)
-          { take_matrix(number++, cell, matrix); });
+      of_model->visit_derivatives(balanced,
+                                  [&](const QuadratureCell<dim> &cell, const Matrix &matrix)
+                                  { take_matrix(number++, cell, matrix); });
     };
     of_model->start_from(at_rest.displacement);
     const Step at_rest_step = static_step(1., false);
@@ -160,9 +160,10 @@ void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
             cells[number].mass = velocity_block(matrix, cell.velocity_indices.size());
             cells[number].mass *= no_time;
           });
-    const bool is_viscous = std::any_of(
-        problem.materials.begin(), problem.materials.end(), [](const Material &material)
-        { return material.is_solid() && material.shear.viscosity > 0.; });
+    const bool is_viscous =
+        std::any_of(problem.materials.begin(), problem.materials.end(),
+                    [](const Material &material)
+                    { return material.is_solid() && material.shear.viscosity > 0.; });
     if (is_viscous)
       visit(deforming_step(no_time),
             [&](const std::size_t number, const QuadratureCell<dim> &cell, const Matrix &matrix)
@@ -303,22 +304,22 @@ const FullMatrix<double> &LoadedCells<dim>::matrix_of(const LoadedPart part, con
 {
   switch (part)
   {
-    case LoadedPart::mass:
-      return cell.mass;
-    case LoadedPart::viscosity:
-      return cell.viscosity;
-    case LoadedPart::relaxation:
-      return cell.relaxation;
-    default:
-      return cell.stiffness;
+  case LoadedPart::mass:
+    return cell.mass;
+  case LoadedPart::viscosity:
+    return cell.viscosity;
+  case LoadedPart::relaxation:
+    return cell.relaxation;
+  default:
+    return cell.stiffness;
   }
 }
 
 template <int dim>
 void LoadedCells<dim>::add_entries(const LoadedPart part,
-                                  const unsigned int region,
-                                  const AffineConstraints<double> &constraints,
-                                  Triplets &entries) const
+                                   const unsigned int region,
+                                   const AffineConstraints<double> &constraints,
+                                   Triplets &entries) const
 {
   const int first_pressure = static_cast<int>(space.velocity_dofs.n_dofs());
   std::vector<Masters> masters;

@@ -10,11 +10,11 @@ namespace Continua
 struct HarmonicCoefficients
 {
   using Complex = std::complex<double>;
-  std::vector<Complex> mass;                            ///< s^2 rho [kg/(m^3 s^2)]
-  std::vector<Complex> stiffness;                       ///< mu*(s) [Pa]
-  std::vector<Complex> compressibility;                 ///< 1/K*(s) [1/Pa]
-  /// Of a body under loads, see LoadedBody, whose stiffness above is that of its branches, and whose
-  /// parts of mass and compression have density and modulus: s [1/s]. Else empty.
+  std::vector<Complex> mass;            ///< s^2 rho [kg/(m^3 s^2)]
+  std::vector<Complex> stiffness;       ///< mu*(s) [Pa]
+  std::vector<Complex> compressibility; ///< 1/K*(s) [1/Pa]
+  /// Of a body under loads, see LoadedBody, whose stiffness above is that of its branches, and
+  /// whose parts of mass and compression have density and modulus: s [1/s]. Else empty.
   std::vector<Complex> viscosity;
   Complex support_stiffness = 1., support_damping = 0.; ///< [1], s [1/s]
 };

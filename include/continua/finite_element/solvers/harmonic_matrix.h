@@ -17,8 +17,8 @@ namespace Continua
  * The matrix [A -B^T; -B -C] of a motion exp(s t), with the boundary constraints eliminated on both
  * sides, as a sum of real matrices with complex coefficients. The real ones are assembled once, and
  * of all of them each rank has one pattern: a new s costs one pass over their entries. Velocities
- * come first; of the symmetric matrix the lower triangle, and all entries about a state under loads,
- * where the matrix is symmetric up to the error of the mesh.
+ * come first; of the symmetric matrix the lower triangle, and all entries about a state under
+ * loads, where the matrix is symmetric up to the error of the mesh.
  */
 class HarmonicMatrix
 {

@@ -20,11 +20,11 @@ namespace Continua
 struct LoadedState
 {
   DistributedVector displacement, velocity, pressure; ///< [m], [m/s], [Pa]
-  DistributedVector mesh_displacement;      ///< of a mesh that moves, else empty [m]
+  DistributedVector mesh_displacement;                ///< of a mesh that moves, else empty [m]
 };
 
-/// What a motion exp(s t) about such a state multiplies by 1, by s^2, by s and by the modulus of the
-/// branches, see LoadedBody.
+/// What a motion exp(s t) about such a state multiplies by 1, by s^2, by s and by the modulus of
+/// the branches, see LoadedBody.
 enum class LoadedPart
 {
   stiffness,
