@@ -2,6 +2,7 @@
 
 #include <continua/analysis/free_motions.h>
 #include <continua/analysis/harmonic_checks.h>
+#include <continua/analysis/rest_search.h>
 #include <continua/analysis/wave_number_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
@@ -85,6 +86,35 @@ void check_unit_load(const Case<dim> &input, ParameterSection root)
                     "Leave the entry out, and give that boundary the velocity or flow rate 1");
 }
 
+/// About a body in finite deformation under the loads of the file. Throws InputError.
+template <int dim>
+void check_loaded(const Case<dim> &input, ParameterSection root)
+{
+  RestSearch<dim>::check(input, root, "use Analysis = transient");
+  ParameterSection harmonic = root.subsection("Harmonic");
+  if (input.harmonic.unit_load.empty())
+    harmonic.refuse("Unit load at",
+                    "in finite deformation the loads of the file are those of the state at rest, "
+                    "about which the motion is small, and none of them oscillates",
+                    "Give the name of the boundary whose pressure oscillates, or set Deformation = "
+                    "small");
+  if (!input.harmonic.field_frequencies.empty())
+    harmonic.refuse("Field frequencies",
+                    "about a state in finite deformation no fields of the motion are written",
+                    "Remove the entry, and give probes");
+  const std::vector<Material> &materials = input.problem.materials;
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.has_unknown_pressure() &&
+        std::any_of(condition.region_ids.begin(), condition.region_ids.end(),
+                    [&](const unsigned int region) { return materials[region].is_solid(); }))
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Type",
+                  "a harmonic analysis about a state in finite deformation has no pressure on a "
+                  "solid that is unknown",
+                  "Use 'fixed', 'roller', 'free' or 'pressure' here, or Analysis = transient");
+}
+
 /// Refuses a Phase of nothing.
 template <int dim>
 void check_phases(const Case<dim> &input, ParameterSection root, const bool has_body_force)
@@ -110,7 +140,10 @@ void check_phases(const Case<dim> &input, ParameterSection root, const bool has_
 template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_no_states(input.problem, root, another_way);
+  if (input.problem.is_nonlinear())
+    check_loaded(input, root);
+  else
+    check_no_states(input.problem, root, another_way);
   check_harmonic_probes(input, root, another_way);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;

@@ -5,6 +5,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
+#include <continua/linear_algebra/singular_matrix.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -46,8 +47,19 @@ std::vector<std::complex<double>> PeriodicMean<dim>::find(const HarmonicLoad &lo
     SignalWatch::stop_if_asked(run.input.communicator,
                                "in the search for the mean; a periodic response begins anew, with "
                                "--overwrite");
-    system.factor(growth);
-    return system.solve({load})[0];
+    try
+    {
+      system.factor(growth);
+      return system.solve({load})[0];
+    }
+    catch (const SingularMatrix &error)
+    {
+      throw RunError(std::string(error.what()) +
+                     " The mean of the loads, which is harmonic 0, is that of loads which grow so "
+                     "slowly, and nothing but the inertia resists it there: a part of the body can "
+                     "move without a force. Hold that part, give the liquid a way out, or take the "
+                     "mean off the loads.");
+    }
   };
   // Of two means without their first order the difference is three times the error of the second.
   double least = std::numeric_limits<double>::infinity();

@@ -58,7 +58,9 @@ WaveNumberTable<dim>::theory_of(const StationsProbe &probe) const
 {
   Theory theory;
   const std::vector<VesselBranch<dim>> branches = run.input.geometry->branches();
-  if (branches.empty() || !why_no_tube_of_liquid(run.input).empty())
+  // Under loads the section is another one.
+  if (branches.empty() || run.input.problem.is_nonlinear() ||
+      !why_no_tube_of_liquid(run.input).empty())
     return theory;
   const double middle = 0.5 * (probe.positions.front() + probe.positions.back());
   std::set<double> frequencies;

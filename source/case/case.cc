@@ -181,7 +181,18 @@ void Case<dim>::read_analysis(ParameterSection root)
   else if (analysis.is_harmonic())
   {
     if (analysis.name == "harmonic")
+    {
       harmonic.read(root.subsection("Harmonic"));
+      // Of the state about which the motion is small.
+      if (problem.is_nonlinear())
+        rest.read(root.subsection("Steady"), true);
+      else if (root.sets_in_subsection("Steady"))
+        root.subsection("Steady").refuse("",
+                                         "Analysis = harmonic reads this section in finite "
+                                         "deformation only, for the state about "
+                                         "which the motion is small",
+                                         "Remove it, or set Deformation = finite");
+    }
     else if (analysis.name == "resonances")
       resonances.read(root.subsection("Resonances"));
     else if (analysis.name == "periodic response")

@@ -262,8 +262,18 @@ std::unique_ptr<HarmonicSystem<dim>> TaylorHood<dim>::harmonic_system(const Harm
   // Its solver is direct and needs the matrices.
   if (!operators.empty() && operators.front().products)
     assemble_velocity_operators<dim>(space, all_cells<dim>, operators);
+  std::unique_ptr<LoadedBody<dim>> loaded;
+  if (!terms.empty())
+  {
+    LoadedState at_rest{state.displacement, state.velocity, state.pressure, {}};
+    if (moving_mesh)
+      at_rest.mesh_displacement = moving_mesh->displacement();
+    loaded = std::make_unique<LoadedBody<dim>>(space, problem, terms.of_models(), metrics.get(),
+                                               at_rest);
+  }
   return std::make_unique<TaylorHoodHarmonic<dim>>(space, problem, operators, constraints,
-                                                   load_list, linear_products, state);
+                                                   load_list, linear_products, state,
+                                                   std::move(loaded), moving_mesh.get());
 }
 
 template class TaylorHood<2>;

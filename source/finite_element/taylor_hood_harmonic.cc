@@ -2,6 +2,11 @@
 
 #include <continua/finite_element/products/region_operators.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <utility>
+
 namespace Continua
 {
 template <int dim>
@@ -11,16 +16,22 @@ TaylorHoodHarmonic<dim>::TaylorHoodHarmonic(const Space<dim> &space,
                                             const BoundaryConstraints<dim> &constraints,
                                             const Loads<dim> &loads,
                                             const LinearProducts<dim> &products,
-                                            const HarmonicState &state)
+                                            const HarmonicState &state,
+                                            std::unique_ptr<LoadedBody<dim>> loaded,
+                                            MovingMesh<dim> *const moving_mesh)
     : space(space),
+      problem(problem),
       operators(operators),
       constraints(constraints),
       state(state),
+      loaded(std::move(loaded)),
+      moving_mesh(moving_mesh),
       port_model(problem),
-      equations(space, problem, operators, constraints, loads, products, port_model),
-      loads(space, problem, constraints, loads, port_model),
+      equations(
+          space, problem, operators, constraints, loads, products, port_model, this->loaded.get()),
+      loads(space, problem, constraints, loads, port_model, equations),
       solver(space, operators, constraints, equations, port_model),
-      ledger(space, problem, operators, loads, products, equations, port_model)
+      ledger(space, problem, operators, products, equations, port_model)
 {
 }
 
@@ -60,6 +71,17 @@ std::vector<VelocityPlace<dim>> TaylorHoodHarmonic<dim>::velocity_places() const
 }
 
 template <int dim>
+std::vector<unsigned int> TaylorHoodHarmonic<dim>::velocities_of_solids() const
+{
+  const std::vector<std::vector<unsigned int>> nodes = velocity_nodes();
+  std::vector<unsigned int> result;
+  for (unsigned int region = 0; region < nodes.size(); ++region)
+    if (problem.materials[region].is_solid())
+      result.insert(result.end(), nodes[region].begin(), nodes[region].end());
+  return result;
+}
+
+template <int dim>
 void TaylorHoodHarmonic<dim>::show_sum(const std::vector<WeightedSolution> &parts)
 {
   const auto add =
@@ -68,9 +90,17 @@ void TaylorHoodHarmonic<dim>::show_sum(const std::vector<WeightedSolution> &part
     for (std::size_t i = 0; i < values.size(); ++i)
       vector.begin()[i] += (of_all * values[i]).real();
   };
-  state.displacement = 0.;
+  if (loaded)
+  {
+    state.displacement = loaded->state().displacement;
+    state.pressure = loaded->state().pressure;
+  }
+  else
+  {
+    state.displacement = 0.;
+    state.pressure = 0.;
+  }
   state.velocity = 0.;
-  state.pressure = 0.;
   state.mixtures.resize(operators.size());
   for (DistributedVector &mixture : state.mixtures)
     mixture.reinit(state.velocity);
@@ -79,10 +109,32 @@ void TaylorHoodHarmonic<dim>::show_sum(const std::vector<WeightedSolution> &part
     add(factor, solution.displacement, state.displacement);
     add(factor * solution.s, solution.displacement, state.velocity);
     add(factor, solution.pressure, state.pressure);
+    // The stress of a body under loads follows from its displacement.
+    if (loaded)
+      continue;
     const HarmonicCoefficients at_s = equations.coefficients(solution.s);
     for (unsigned int region = 0; region < operators.size(); ++region)
       add(factor * at_s.stiffness[region], solution.displacement, state.mixtures[region]);
   }
+  if (moving_mesh == nullptr)
+    return;
+  // The walls move. Where the mesh is inside the liquid makes no difference to what is linear.
+  DistributedVector of_mesh = loaded->state().mesh_displacement;
+  for (const unsigned int i : velocities_of_solids())
+    of_mesh.begin()[i] = state.displacement.begin()[i];
+  moving_mesh->show(of_mesh);
+}
+
+template <int dim>
+double TaylorHoodHarmonic<dim>::part_for_differences(const HarmonicSolution &solution) const
+{
+  if (!loaded)
+    return 0.;
+  double largest = 0.;
+  for (const unsigned int i : velocities_of_solids())
+    largest = std::max(largest, std::abs(solution.displacement[i]));
+  largest = dealii::Utilities::MPI::max(largest, space.communicator);
+  return largest > 0. ? loaded->small_displacement() / largest : 1.;
 }
 
 template class TaylorHoodHarmonic<2>;

@@ -123,7 +123,8 @@ const AnalysisTable &analyses()
        row_of_case<Harmonic>("harmonic",
                              "Motion of a linear body at given frequencies: responses, impedances, "
                              "mean powers.",
-                             {"Harmonic"}, Motion::harmonic, true, false),
+                             {"Harmonic", "Steady", "Wall directions"}, Motion::harmonic, true,
+                             false),
        row_of_case<Resonances>("resonances",
                                "Frequencies, damping and shapes of the free motions of solids and "
                                "liquids together.",

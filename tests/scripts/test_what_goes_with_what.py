@@ -134,7 +134,7 @@ FEATURES = {
     "modal": (MODAL, has("Analysis", "modal")),
     "highest modes": ({**MODAL, "Modal/Which": "highest"}, has("Modal/Which", "highest")),
     "shift of modes": ({**MODAL, "Modal/Shift": "10 Hz"}, lambda file: "Modal/Shift" in file),
-    "harmonic": ({"Analysis": "harmonic", "Harmonic/Frequencies": "10 Hz", **NOT_IN_TIME}, has("Analysis", "harmonic")),
+    "harmonic": ({"Analysis": "harmonic", "Harmonic/Frequencies": "10 Hz", "Harmonic/Unit load at": "inlet", **NOT_IN_TIME}, has("Analysis", "harmonic")),
     "resonances": ({"Analysis": "resonances", "Resonances/Lowest frequency": "1 Hz", "Resonances/Highest frequency": "10 Hz", **NOT_IN_TIME},
                    has("Analysis", "resonances")),
     "periodic response": ({"Analysis": "periodic response", "Periodic state/Period": "20 ms", "Periodic state/Probes": "wall",

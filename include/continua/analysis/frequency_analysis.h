@@ -24,7 +24,9 @@ public:
 protected:
   explicit FrequencyAnalysis(Run<dim> &run) : run(run) {}
 
-  /// Initialises the run and makes the system. Throws RunError where the discretisation has none.
+  /// Initialises the run and makes the system, in finite deformation about the state at rest under
+  /// the loads of the file. Throws RunError where the discretisation has none, or there is no such
+  /// state.
   void start();
   /// A table of `first` columns, and behind them real and imaginary part of each column of the
   /// probes. Null on all ranks but the one that writes.

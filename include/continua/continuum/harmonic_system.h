@@ -161,6 +161,10 @@ public:
   void show(const HarmonicSolution &solution, Complex factor) { show_sum({{solution, factor}}); }
   /// The same of a sum of motions with different s.
   virtual void show_sum(const std::vector<WeightedSolution> &parts) = 0;
+  /// Of a motion about a state under loads: the part of the solution that moves solids by a small
+  /// way, so that fields which depend on the state in any way are linear in it. show() adds the
+  /// motion to the state then. 0: show() shows the motion alone, and fields are linear.
+  virtual double part_for_differences(const HarmonicSolution & /*solution*/) const { return 0.; }
   /// Of a solution at s = i omega under its load.
   virtual HarmonicPowers powers(const HarmonicSolution &solution, const HarmonicLoad &load) = 0;
   /// Half of force times conjugate velocity of a part of the load [W]: the real part is the mean

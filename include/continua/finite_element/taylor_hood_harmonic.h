@@ -7,16 +7,19 @@
 #include <continua/finite_element/assembly/linear_products.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/conditions/loads.h>
+#include <continua/finite_element/motion/moving_mesh.h>
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/harmonic_equations.h>
 #include <continua/finite_element/solvers/harmonic_ledger.h>
 #include <continua/finite_element/solvers/harmonic_loads.h>
 #include <continua/finite_element/solvers/harmonic_ports.h>
 #include <continua/finite_element/solvers/harmonic_solver.h>
+#include <continua/finite_element/solvers/loaded_body.h>
 #include <continua/finite_element/space/space.h>
 
 #include <complex>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,14 +33,17 @@ class TaylorHoodHarmonic : public HarmonicSystem<dim>
 public:
   using Complex = std::complex<double>;
 
-  /// All must outlive it.
+  /// All but the loaded body must outlive it. `loaded`: null where the motion is about a body
+  /// without loads; `moving_mesh`: null where the mesh stays.
   TaylorHoodHarmonic(const Space<dim> &space,
                      const Problem &problem,
                      const std::vector<RegionOperators> &operators,
                      const BoundaryConstraints<dim> &constraints,
                      const Loads<dim> &loads,
                      const LinearProducts<dim> &products,
-                     const HarmonicState &state);
+                     const HarmonicState &state,
+                     std::unique_ptr<LoadedBody<dim>> loaded = nullptr,
+                     MovingMesh<dim> *moving_mesh = nullptr);
 
   unsigned int n_local_velocities() const override { return equations.n_velocities(); }
   unsigned int n_local_pressures() const override { return equations.n_pressures(); }
@@ -78,6 +84,7 @@ public:
     equations.multiply(s, solution, forces, dilatations);
   }
   void show_sum(const std::vector<WeightedSolution> &parts) override;
+  double part_for_differences(const HarmonicSolution &solution) const override;
   HarmonicPowers powers(const HarmonicSolution &solution, const HarmonicLoad &load) override
   {
     return ledger.powers(solution, load);
@@ -97,10 +104,16 @@ public:
   std::string solver_name() const override { return solver.name(); }
 
 private:
+  /// Local indices of the velocities of all solids.
+  std::vector<unsigned int> velocities_of_solids() const;
+
   const Space<dim> &space;
+  const Problem &problem;
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
   HarmonicState state;
+  const std::unique_ptr<LoadedBody<dim>> loaded;
+  MovingMesh<dim> *const moving_mesh;
   HarmonicPorts port_model;
   HarmonicEquations<dim> equations;
   HarmonicLoads<dim> loads;

@@ -152,6 +152,20 @@ void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
 }
 
 template <int dim>
+void NonlinearCellTerms<dim>::visit_derivatives(
+    const BalancedStep &state,
+    const std::function<void(const QuadratureCell<dim> &, const FullMatrix<double> &)> &take_matrix)
+{
+  take(state);
+  FullMatrix<double> local;
+  for (const Cell &cell : cells.all())
+  {
+    set_derivative(cell, local);
+    take_matrix(cell, local);
+  }
+}
+
+template <int dim>
 void NonlinearCellTerms<dim>::add_products_with(const DistributedVector &local_velocity,
                                                 DistributedVector &momentum,
                                                 DistributedVector &volume,

@@ -36,6 +36,27 @@ std::vector<std::pair<unsigned int, double>> entries_not_zero(const DistributedV
   return entries;
 }
 
+namespace
+{
+/// to += factor A from, with a real A.
+template <typename Multiply>
+void add_product(const std::complex<double> factor,
+                 const Multiply &multiply,
+                 const RealAndImaginary &from,
+                 RealAndImaginary &to,
+                 DistributedVector &work)
+{
+  if (factor == 0.)
+    return;
+  multiply(work, from.real);
+  to.real.add(factor.real(), work);
+  to.imaginary.add(factor.imag(), work);
+  multiply(work, from.imaginary);
+  to.real.add(-factor.imag(), work);
+  to.imaginary.add(factor.real(), work);
+}
+} // namespace
+
 template <int dim>
 HarmonicEquations<dim>::HarmonicEquations(const Space<dim> &space,
                                           const Problem &problem,
@@ -43,18 +64,21 @@ HarmonicEquations<dim>::HarmonicEquations(const Space<dim> &space,
                                           const BoundaryConstraints<dim> &constraints,
                                           const Loads<dim> &loads,
                                           const LinearProducts<dim> &products,
-                                          const HarmonicPorts &ports)
+                                          const HarmonicPorts &ports,
+                                          LoadedBody<dim> *const loaded)
     : space(space),
       problem(problem),
       operators(operators),
       constraints(constraints),
       products(products),
       ports(ports),
+      load_list(loads),
+      loaded(loaded),
       velocity_work(space.velocity_vector()),
       pressure_work(space.pressure_vector())
 {
   for (const unsigned int condition : ports.conditions())
-    port_flows.push_back(entries_not_zero(loads.flow_of_velocities(condition)));
+    port_flows.push_back(entries_not_zero(flow_of_velocities(condition)));
   DistributedVector one = space.pressure_vector();
   one = 1.;
   for (unsigned int region = 0; region < operators.size(); ++region)
@@ -66,8 +90,17 @@ HarmonicEquations<dim>::HarmonicEquations(const Space<dim> &space,
 }
 
 template <int dim>
+DistributedVector HarmonicEquations<dim>::flow_of_velocities(const unsigned int condition) const
+{
+  return loaded != nullptr ? loaded->flow_of_velocities(condition)
+                           : load_list.flow_of_velocities(condition);
+}
+
+template <int dim>
 HarmonicCoefficients HarmonicEquations<dim>::coefficients(const Complex s) const
 {
+  if (loaded != nullptr)
+    return loaded->coefficients(s);
   const Complex omega = Complex(0., -1.) * s;
   HarmonicCoefficients result;
   for (const Material &material : problem.materials)
@@ -88,54 +121,62 @@ void HarmonicEquations<dim>::apply(const HarmonicCoefficients &at_s,
                                    std::vector<Complex> &dilatations)
 {
   RealAndImaginary u(space.velocity_vector()), f = u;
-  RealAndImaginary p(space.pressure_vector()), h = p;
   u.set(displacement);
-  p.set(pressure);
-  const auto add = [](const Complex factor, const auto &multiply, const RealAndImaginary &from,
-                      RealAndImaginary &to, DistributedVector &work)
+  if (loaded != nullptr)
   {
-    if (factor == 0.)
-      return;
-    multiply(work, from.real);
-    to.real.add(factor.real(), work);
-    to.imaginary.add(factor.imag(), work);
-    multiply(work, from.imaginary);
-    to.real.add(-factor.imag(), work);
-    to.imaginary.add(factor.real(), work);
-  };
+    loaded->apply(at_s, displacement, pressure, forces, dilatations);
+    f.set(forces);
+    add_supports(at_s, u, f);
+    forces = f.values();
+    return;
+  }
+  RealAndImaginary p(space.pressure_vector()), h = p;
+  p.set(pressure);
   using Vector = DistributedVector;
   for (unsigned int r = 0; r < operators.size(); ++r)
   {
-    add(
+    add_product(
         at_s.mass[r], [&](Vector &y, const Vector &x) { products.multiply_mass(r, y, x); }, u, f,
         velocity_work);
-    add(
+    add_product(
         at_s.stiffness[r],
         [&](Vector &y, const Vector &x) { products.multiply_stiffness(r, y, x); }, u, f,
         velocity_work);
-    add(
+    add_product(
         1., [&](Vector &y, const Vector &x) { products.multiply_gradient(r, y, x); }, p, f,
         velocity_work);
-    add(
+    add_product(
         -1., [&](Vector &y, const Vector &x) { products.multiply_divergence(r, y, x); }, u, h,
         pressure_work);
-    add(
+    add_product(
         -at_s.compressibility[r],
         [&](Vector &y, const Vector &x) { products.multiply_pressure_mass(r, y, x); }, p, h,
         pressure_work);
+  }
+  add_supports(at_s, u, f);
+  forces = f.values();
+  dilatations = h.values();
+}
+
+template <int dim>
+void HarmonicEquations<dim>::add_supports(const HarmonicCoefficients &at_s,
+                                          const RealAndImaginary &u,
+                                          RealAndImaginary &f)
+{
+  using Vector = DistributedVector;
+  for (unsigned int r = 0; r < operators.size(); ++r)
+  {
     if (!operators[r].is_supported)
       continue;
-    add(
+    add_product(
         at_s.support_stiffness,
         [&](Vector &y, const Vector &x) { products.multiply_support_stiffness(r, y, x); }, u, f,
         velocity_work);
-    add(
+    add_product(
         at_s.support_damping,
         [&](Vector &y, const Vector &x) { products.multiply_support_damping(r, y, x); }, u, f,
         velocity_work);
   }
-  forces = f.values();
-  dilatations = h.values();
 }
 
 template <int dim>

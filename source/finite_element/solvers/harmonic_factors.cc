@@ -16,7 +16,9 @@ HarmonicFactors::HarmonicFactors(const HarmonicMatrix &matrix,
                                  const MPI_Comm communicator)
     : matrix(matrix),
       communicator(communicator),
-      solver(MumpsSymmetry::symmetric, MumpsScaling::of_mumps, MPI_COMM_SELF)
+      solver(matrix.is_symmetric() ? MumpsSymmetry::symmetric : MumpsSymmetry::unsymmetric,
+             MumpsScaling::of_mumps,
+             MPI_COMM_SELF)
 {
   solver.computes_determinant = true;
   MPI_Comm_rank(communicator, &rank);

@@ -67,12 +67,22 @@ HarmonicPowers HarmonicLedger<dim>::powers(const HarmonicSolution &solution,
   for (unsigned int r = 0; r < operators.size(); ++r)
   {
     HarmonicPower power;
-    const double strain = square(
-        u, [&](Vector &y, const Vector &x) { products.multiply_stiffness(r, y, x); },
-        velocity_work);
-    power.viscosity = 0.5 * omega * omega * problem.materials[r].shear.viscosity * strain;
-    power.relaxation = 0.5 * omega * at_s.stiffness[r].imag() * strain - power.viscosity;
-    if (at_s.compressibility[r].imag() != 0.)
+    if (LoadedBody<dim> *const loaded = equations.loaded_body())
+    {
+      power.viscosity =
+          0.5 * omega * omega * loaded->square(LoadedPart::viscosity, r, solution.displacement);
+      power.relaxation = 0.5 * omega * at_s.stiffness[r].imag() *
+                         loaded->square(LoadedPart::relaxation, r, solution.displacement);
+    }
+    else
+    {
+      const double strain = square(
+          u, [&](Vector &y, const Vector &x) { products.multiply_stiffness(r, y, x); },
+          velocity_work);
+      power.viscosity = 0.5 * omega * omega * problem.materials[r].shear.viscosity * strain;
+      power.relaxation = 0.5 * omega * at_s.stiffness[r].imag() * strain - power.viscosity;
+    }
+    if (!at_s.compressibility.empty() && at_s.compressibility[r].imag() != 0.)
       power.relaxation -=
           0.5 * omega * at_s.compressibility[r].imag() *
           square(
@@ -112,7 +122,7 @@ std::complex<double> HarmonicLedger<dim>::flow_rate(const unsigned int condition
   constexpr double round_off = 1e-12;
   Complex of_rank = 0.;
   double size = 0.;
-  for (const auto &[index, value] : entries_not_zero(load_list.flow_of_velocities(condition)))
+  for (const auto &[index, value] : entries_not_zero(equations.flow_of_velocities(condition)))
   {
     of_rank += value * solution.displacement[index];
     size += std::abs(value * solution.displacement[index]);

@@ -97,7 +97,7 @@ HarmonicLoad HarmonicLoads<dim>::unit_load(const unsigned int condition) const
   if (problem.conditions[condition].normal.kind != BoundaryPart::Kind::traction)
     throw RunError("a unit load of the boundary '" + problem.conditions[condition].name +
                    "' needs a pressure there: its velocity is given");
-  DistributedVector flow = load_list.flow_of_velocities(condition);
+  DistributedVector flow = equations.flow_of_velocities(condition);
   flow *= -1.;
   load.forces = real_numbers(flow);
   return load;

@@ -29,7 +29,8 @@ void gather(std::vector<Number> &values, const MPI_Datatype type, const MPI_Comm
 }
 
 /// Gives each rank the triplets of all ranks.
-void gather(SymmetricTriplets &triplets, const MPI_Comm communicator)
+template <typename Entries>
+void gather_entries(Entries &triplets, const MPI_Comm communicator)
 {
   gather(triplets.rows, MPI_INT, communicator);
   gather(triplets.columns, MPI_INT, communicator);
@@ -48,7 +49,8 @@ bool is_held(const Space<dim> &space, const BoundaryConstraints<dim> &constraint
 }
 } // namespace
 
-void HarmonicMatrix::take_places(const SymmetricTriplets &triplets)
+template <typename Entries>
+void HarmonicMatrix::take_places(const Entries &triplets)
 {
   const std::size_t n_old = pattern.size();
   for (std::size_t k = 0; k < triplets.rows.size(); ++k)
@@ -59,7 +61,8 @@ void HarmonicMatrix::take_places(const SymmetricTriplets &triplets)
   pattern.erase(std::unique(pattern.begin(), pattern.end()), pattern.end());
 }
 
-HarmonicMatrix::Part HarmonicMatrix::part_of(const SymmetricTriplets &triplets) const
+template <typename Entries>
+HarmonicMatrix::Part HarmonicMatrix::part_of(const Entries &triplets) const
 {
   Part part;
   part.values = triplets.values;
@@ -86,7 +89,7 @@ void HarmonicMatrix::build(const Space<dim> &space,
 
   // The divergence and the rows of what is held.
   SymmetricTriplets of_constant = condensed_triplets(space, operators, constraints, none);
-  gather(of_constant, space.communicator);
+  gather_entries(of_constant, space.communicator);
   // One coefficient at a time is 1, without the divergence.
   none.left_out.assign(n_regions, true);
   std::vector<SymmetricTriplets> of_parts;
@@ -103,7 +106,7 @@ void HarmonicMatrix::build(const Space<dim> &space,
         part.columns.push_back(all.columns[k]);
         part.values.push_back(all.values[k]);
       }
-    gather(part, space.communicator);
+    gather_entries(part, space.communicator);
     of_parts.push_back(std::move(part));
   };
   for (unsigned int region = 0; region < n_regions; ++region)
@@ -126,6 +129,82 @@ void HarmonicMatrix::build(const Space<dim> &space,
     mass.push_back(part_of(of_parts[3 * region]));
     stiffness.push_back(part_of(of_parts[3 * region + 1]));
     compression.push_back(part_of(of_parts[3 * region + 2]));
+  }
+  support_stiffness = part_of(of_parts[3 * n_regions]);
+  support_damping = part_of(of_parts[3 * n_regions + 1]);
+}
+
+template <int dim>
+void HarmonicMatrix::build(const Space<dim> &space,
+                           const std::vector<RegionOperators> &operators,
+                           const BoundaryConstraints<dim> &constraints,
+                           const LoadedBody<dim> &loaded)
+{
+  using Kind = LoadedPart;
+  const unsigned int n_regions = operators.size();
+  n = static_cast<int>(space.velocity_dofs.n_dofs() + space.pressure_dofs.n_dofs());
+  has_one_triangle = false;
+  pattern.clear();
+  SystemCoefficients none;
+  none.mass.assign(n_regions, 0.);
+  none.stiffness.assign(n_regions, 0.);
+  none.compressibility.assign(n_regions, 0.);
+  none.left_out.assign(n_regions, true);
+  // Of the linear terms there are the supports alone, and the rows of what is held.
+  const auto linear = [&](const SystemCoefficients &coefficients, const bool of_held)
+  {
+    const SymmetricTriplets lower = condensed_triplets(space, operators, constraints, coefficients);
+    Triplets entries;
+    const auto add = [&entries](const int row, const int column, const double value)
+    {
+      entries.rows.push_back(row);
+      entries.columns.push_back(column);
+      entries.values.push_back(value);
+    };
+    for (std::size_t k = 0; k < lower.rows.size(); ++k)
+      if (is_held(space, constraints, lower.rows[k]) == of_held)
+      {
+        add(lower.rows[k], lower.columns[k], lower.values[k]);
+        if (lower.rows[k] != lower.columns[k])
+          add(lower.columns[k], lower.rows[k], lower.values[k]);
+      }
+    return entries;
+  };
+  Triplets of_constant = linear(none, true);
+  std::vector<Triplets> of_parts;
+  for (unsigned int region = 0; region < n_regions; ++region)
+  {
+    loaded.add_entries(Kind::stiffness, region, constraints.all(), of_constant);
+    for (const Kind kind : {Kind::mass, Kind::relaxation, Kind::viscosity})
+    {
+      of_parts.emplace_back();
+      loaded.add_entries(kind, region, constraints.all(), of_parts.back());
+    }
+  }
+  SystemCoefficients of_support = none;
+  of_support.support_stiffness = 1.;
+  of_parts.push_back(linear(of_support, false));
+  of_support.support_stiffness = 0.;
+  of_support.support_damping = 1.;
+  of_parts.push_back(linear(of_support, false));
+
+  gather_entries(of_constant, space.communicator);
+  take_places(of_constant);
+  for (Triplets &part : of_parts)
+  {
+    gather_entries(part, space.communicator);
+    take_places(part);
+  }
+  constant = part_of(of_constant);
+  mass.clear();
+  stiffness.clear();
+  compression.clear();
+  viscosity.clear();
+  for (unsigned int region = 0; region < n_regions; ++region)
+  {
+    mass.push_back(part_of(of_parts[3 * region]));
+    stiffness.push_back(part_of(of_parts[3 * region + 1]));
+    viscosity.push_back(part_of(of_parts[3 * region + 2]));
   }
   support_stiffness = part_of(of_parts[3 * n_regions]);
   support_damping = part_of(of_parts[3 * n_regions + 1]);
@@ -163,7 +242,10 @@ void HarmonicMatrix::set_values(const HarmonicCoefficients &coefficients,
   {
     add(coefficients.mass[region], mass[region]);
     add(coefficients.stiffness[region], stiffness[region]);
-    add(coefficients.compressibility[region], compression[region]);
+    if (!compression.empty())
+      add(coefficients.compressibility[region], compression[region]);
+    if (!viscosity.empty())
+      add(coefficients.viscosity[region], viscosity[region]);
   }
   add(coefficients.support_stiffness, support_stiffness);
   add(coefficients.support_damping, support_damping);
@@ -172,7 +254,15 @@ void HarmonicMatrix::set_values(const HarmonicCoefficients &coefficients,
 template void HarmonicMatrix::build(const Space<2> &,
                                     const std::vector<RegionOperators> &,
                                     const BoundaryConstraints<2> &);
+template void HarmonicMatrix::build(const Space<2> &,
+                                    const std::vector<RegionOperators> &,
+                                    const BoundaryConstraints<2> &,
+                                    const LoadedBody<2> &);
 template void HarmonicMatrix::build(const Space<3> &,
                                     const std::vector<RegionOperators> &,
                                     const BoundaryConstraints<3> &);
+template void HarmonicMatrix::build(const Space<3> &,
+                                    const std::vector<RegionOperators> &,
+                                    const BoundaryConstraints<3> &,
+                                    const LoadedBody<3> &);
 } // namespace Continua

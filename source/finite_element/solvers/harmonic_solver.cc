@@ -44,7 +44,10 @@ HarmonicSolver<dim>::HarmonicSolver(const Space<dim> &space,
                                     HarmonicPorts &ports)
     : equations(equations), ports(ports), residual(equations, ports)
 {
-  matrix.build(space, operators, constraints);
+  if (equations.loaded_body() != nullptr)
+    matrix.build(space, operators, constraints, *equations.loaded_body());
+  else
+    matrix.build(space, operators, constraints);
   std::vector<int> owned;
   for (const auto index : space.velocity_owned)
     owned.push_back(index);
@@ -56,7 +59,8 @@ HarmonicSolver<dim>::HarmonicSolver(const Space<dim> &space,
 template <int dim>
 std::string HarmonicSolver<dim>::name() const
 {
-  return "MUMPS, complex L D L^T with pivoting, " + std::to_string(factors->n_side_by_side()) +
+  return std::string("MUMPS, complex ") + (matrix.is_symmetric() ? "L D L^T" : "L U") +
+         " with pivoting, " + std::to_string(factors->n_side_by_side()) +
          (factors->n_side_by_side() == 1 ? " frequency" : " frequencies") + " at a time";
 }
 

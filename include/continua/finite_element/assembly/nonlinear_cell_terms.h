@@ -24,6 +24,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -106,6 +107,12 @@ public:
   void add_derivative(const BalancedStep &state,
                       const dealii::AffineConstraints<double> &constraints,
                       EntrySums &matrix);
+  /// Calls take with each owned cell and the same derivative of its rows, without constraints.
+  /// Collective.
+  void visit_derivatives(
+      const BalancedStep &state,
+      const std::function<void(const QuadratureCell<dim> &, const dealii::FullMatrix<double> &)>
+          &take_matrix);
   /// Adds products of that derivative, without constraints, with a velocity that is zero in all but
   /// a few cells [m/s]: to rows of momentum [N] and of volume [m^3/s], and those of its transposed
   /// to `of_velocity` and `of_pressure`, whose scalar product with a change is the power of that

@@ -101,6 +101,8 @@ public:
 
   /// At the present time [m].
   const DistributedVector &displacement() const { return present; }
+  /// Makes a displacement the present one [m].
+  void show(const DistributedVector &displacement) { present = displacement; }
   /// Of a displacement of the mesh [m]. Collective.
   MeshQuality quality(const DistributedVector &mesh_displacement);
   /// The worst of the run's start and of all steps that have ended; the place is known since the

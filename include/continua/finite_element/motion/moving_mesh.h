@@ -48,6 +48,8 @@ public:
 
   /// At the present time [m].
   const DistributedVector &displacement() const { return motion.displacement(); }
+  /// Makes a displacement the present one, so that fields are those on that mesh [m].
+  void show(const DistributedVector &of_mesh) { motion.show(of_mesh); }
   /// Sets what the extremes have of the mesh.
   void take_extremes(MotionExtremes &extremes) const;
   LiquidMass liquid_mass(const State &state) { return liquid_balance.mass(state); }

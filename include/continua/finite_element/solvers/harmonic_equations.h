@@ -9,6 +9,7 @@
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/harmonic_matrix.h>
 #include <continua/finite_element/solvers/harmonic_ports.h>
+#include <continua/finite_element/solvers/loaded_body.h>
 #include <continua/finite_element/space/space.h>
 
 #include <complex>
@@ -43,18 +44,23 @@ class HarmonicEquations
 public:
   using Complex = std::complex<double>;
 
-  /// All must outlive it.
+  /// All must outlive it. `loaded`: null where the motion is about a body without loads.
   HarmonicEquations(const Space<dim> &space,
                     const Problem &problem,
                     const std::vector<RegionOperators> &operators,
                     const BoundaryConstraints<dim> &constraints,
                     const Loads<dim> &loads,
                     const LinearProducts<dim> &products,
-                    const HarmonicPorts &ports);
+                    const HarmonicPorts &ports,
+                    LoadedBody<dim> *loaded = nullptr);
 
   unsigned int n_velocities() const { return space.velocity_owned.n_elements(); }
   unsigned int n_pressures() const { return space.pressure_owned.n_elements(); }
   HarmonicCoefficients coefficients(Complex s) const;
+  /// Null where the motion is about a body without loads.
+  LoadedBody<dim> *loaded_body() const { return loaded; }
+  /// int v . n over the faces of a boundary condition, under loads the present ones [m^2].
+  DistributedVector flow_of_velocities(unsigned int condition) const;
   /// The left sides without ports and constraints, of a displacement at all nodes: forces, and
   /// minus the dilatations' deficit, as the rows of the symmetric matrix.
   void apply(const HarmonicCoefficients &at_s,
@@ -95,9 +101,16 @@ private:
   const BoundaryConstraints<dim> &constraints;
   const LinearProducts<dim> &products;
   const HarmonicPorts &ports;
+  const Loads<dim> &load_list;
+  LoadedBody<dim> *const loaded;
   std::vector<std::vector<std::pair<unsigned int, double>>> port_flows; ///< q [m^2]
   double largest_area = 0.;
   DistributedVector velocity_work, pressure_work;
+
+  /// Adds the products of the supports.
+  void add_supports(const HarmonicCoefficients &at_s,
+                    const RealAndImaginary &displacement,
+                    RealAndImaginary &forces);
 };
 } // namespace Continua
 

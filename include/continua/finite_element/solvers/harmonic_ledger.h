@@ -4,7 +4,6 @@
 #include <continua/continuum/harmonic_system.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/linear_products.h>
-#include <continua/finite_element/conditions/loads.h>
 #include <continua/finite_element/products/region_operators.h>
 #include <continua/finite_element/solvers/harmonic_equations.h>
 #include <continua/finite_element/solvers/harmonic_ports.h>
@@ -27,14 +26,12 @@ public:
   HarmonicLedger(const Space<dim> &space,
                  const Problem &problem,
                  const std::vector<RegionOperators> &operators,
-                 const Loads<dim> &loads,
                  const LinearProducts<dim> &products,
                  HarmonicEquations<dim> &equations,
                  const HarmonicPorts &ports)
       : space(space),
         problem(problem),
         operators(operators),
-        load_list(loads),
         products(products),
         equations(equations),
         ports(ports)
@@ -50,7 +47,6 @@ private:
   const Space<dim> &space;
   const Problem &problem;
   const std::vector<RegionOperators> &operators;
-  const Loads<dim> &load_list;
   const LinearProducts<dim> &products;
   HarmonicEquations<dim> &equations;
   const HarmonicPorts &ports;

@@ -5,6 +5,7 @@
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/conditions/loads.h>
+#include <continua/finite_element/solvers/harmonic_equations.h>
 #include <continua/finite_element/solvers/harmonic_ports.h>
 #include <continua/finite_element/space/space.h>
 
@@ -23,8 +24,14 @@ public:
                 const Problem &problem,
                 const BoundaryConstraints<dim> &constraints,
                 const Loads<dim> &loads,
-                const HarmonicPorts &ports)
-      : space(space), problem(problem), constraints(constraints), load_list(loads), ports(ports)
+                const HarmonicPorts &ports,
+                const HarmonicEquations<dim> &equations)
+      : space(space),
+        problem(problem),
+        constraints(constraints),
+        load_list(loads),
+        ports(ports),
+        equations(equations)
   {
   }
 
@@ -38,6 +45,7 @@ private:
   const BoundaryConstraints<dim> &constraints;
   const Loads<dim> &load_list;
   const HarmonicPorts &ports;
+  const HarmonicEquations<dim> &equations;
 };
 } // namespace Continua
 

@@ -1,0 +1,95 @@
+#ifndef continua_finite_element_solvers_loaded_cells_h
+#define continua_finite_element_solvers_loaded_cells_h
+
+#include <continua/continuum/problem.h>
+#include <continua/finite_element/assembly/metric_history.h>
+#include <continua/finite_element/assembly/nonlinear_cell_terms.h>
+#include <continua/finite_element/space/quadrature_cells.h>
+#include <continua/finite_element/space/space.h>
+#include <continua/linear_algebra/distributed_vector.h>
+#include <continua/linear_algebra/unsymmetric_factor.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace Continua
+{
+/// A state at rest under loads; owned entries.
+struct LoadedState
+{
+  DistributedVector displacement, velocity, pressure; ///< [m], [m/s], [Pa]
+  DistributedVector mesh_displacement;                ///< of a mesh that moves, else empty [m]
+};
+
+/// What a motion exp(s t) about such a state multiplies by 1, by s^2, by s and by the modulus of
+/// the branches, see LoadedBody.
+enum class LoadedPart
+{
+  stiffness,
+  mass,
+  viscosity,
+  relaxation
+};
+
+/// One matrix a part. Velocities come first in the stiffness, and its rows of volume are multiplied
+/// by -1; the others have velocities alone, or are empty.
+template <int dim>
+struct LoadedCell
+{
+  const QuadratureCell<dim> *at = nullptr;
+  dealii::FullMatrix<double> stiffness, mass, viscosity, relaxation;
+};
+
+/// The derivative of the equations of a body at rest under loads by displacement and pressure, cell
+/// by cell and in its parts: those of a motion are made of steps in which all but one part is
+/// nothing.
+template <int dim>
+class LoadedCells
+{
+public:
+  /// All but the state must outlive it. `metrics`: null where nothing relaxes. Collective. Throws
+  /// RunError if a liquid flows, or its pressure is not uniform.
+  LoadedCells(const Space<dim> &space,
+              const Problem &problem,
+              const NonlinearTerms<dim> &terms,
+              MetricHistory<dim> *metrics,
+              const LoadedState &state);
+
+  const std::vector<LoadedCell<dim>> &all() const { return cells; }
+  static const dealii::FullMatrix<double> &matrix_of(LoadedPart part, const LoadedCell<dim> &cell);
+  /// The smallest diameter of a cell [m].
+  double smallest() const { return smallest_cell; }
+  /// Adds the entries of a part in one region, as NonlinearCellTerms::add_derivative() has them.
+  void add_entries(LoadedPart part,
+                   unsigned int region,
+                   const dealii::AffineConstraints<double> &constraints,
+                   Triplets &entries) const;
+  /// int v . n over the present faces of a boundary condition [m^2]. Collective.
+  DistributedVector flow_of_velocities(unsigned int condition) const;
+
+private:
+  using Matrix = dealii::FullMatrix<double>;
+  using Cell = LoadedCell<dim>;
+
+  const Space<dim> &space;
+  const Problem &problem;
+  std::vector<Cell> cells;
+  double smallest_cell = 0.;
+  std::vector<double> liquid_pressures; ///< by region, of solids 0 [Pa]
+  /// With ghost entries [m]: of the mesh, which in solids is that of the matter.
+  DistributedVector displacement;
+
+  void take_parts(const NonlinearTerms<dim> &terms,
+                  MetricHistory<dim> *metrics,
+                  const LoadedState &at_rest);
+  void take_liquid_pressures(const LoadedState &at_rest);
+  /// `largest_pressure` [Pa]: of all regions.
+  void refuse_streams(const DistributedVector &of_state, double largest_pressure) const;
+  /// To each solid the pressure of the liquids on its faces, which follows them.
+  void add_pressures_of_liquids();
+};
+} // namespace Continua
+
+#endif
