@@ -62,7 +62,11 @@ void VesselMemory::rest(const std::vector<double> &flows)
   for (States &branch : branches)
     std::fill(branch.now.begin(), branch.now.end(), 0.);
   for (States &mode : modes)
+  {
     mode.now = flows;
+    for (std::vector<double> &rates : mode.rates)
+      std::fill(rates.begin(), rates.end(), 0.);
+  }
 }
 
 void VesselMemory::begin_step()
@@ -80,6 +84,22 @@ double VesselMemory::friction_rate(const unsigned int mode, const double area) c
 double VesselMemory::friction_weight(const unsigned int mode, const double area) const
 {
   return 4. * friction_modes[mode].weight * FlowLaw::pi * law.viscosity / (law.density * area);
+}
+
+double VesselMemory::friction(const unsigned int cell, const double area) const
+{
+  // The two implicit stages are at these parts of the step. Of modes that are much faster than a
+  // step they alone have the right rates.
+  constexpr double first = 0.29289321881345254, second = 1. - first,
+                   beyond = (1. - second) / (second - first);
+  double sum = 0.;
+  for (unsigned int j = 0; j < modes.size(); ++j)
+  {
+    const double of_first = modes[j].rates[0][cell], of_second = modes[j].rates[1][cell];
+    sum += friction_weight(j, area) / friction_rate(j, area) *
+           (of_second + beyond * (of_second - of_first));
+  }
+  return sum;
 }
 
 double VesselMemory::fast_share(const double step) const
