@@ -57,6 +57,28 @@ TabulatedWall::TabulatedWall(const double area,
   table = made;
 }
 
+TabulatedWall::TabulatedWall(const double area,
+                             const TabulatedWall &first,
+                             const TabulatedWall &second,
+                             const double share)
+    : area_without_load(area), shift(first.shift)
+{
+  // Where both have values.
+  const Table &a = *first.table, &b = *second.table;
+  auto made = std::make_shared<Table>();
+  made->first = std::max(a.first, b.first);
+  const auto begin_of = [&made](const Table &of)
+  { return static_cast<std::size_t>(std::lround((made->first - of.first) / spacing)); };
+  const std::size_t of_a = begin_of(a), of_b = begin_of(b),
+                    n = std::min(a.pressures.size() - of_a, b.pressures.size() - of_b);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    made->pressures.push_back((1. - share) * a.pressures[of_a + i] + share * b.pressures[of_b + i]);
+    made->slopes.push_back((1. - share) * a.slopes[of_a + i] + share * b.slopes[of_b + i]);
+  }
+  table = made;
+}
+
 PressureAndStiffness TabulatedWall::in_interval(const std::size_t i, const double t) const
 {
   const double left = table->pressures[i], difference = table->pressures[i + 1] - left,

@@ -7,8 +7,10 @@
 #include <continua/theory/loaded_tube.h>
 #include <continua/theory/saint_venant_kirchhoff_tube.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace Continua
 {
@@ -36,6 +38,77 @@ WallMaterial material_of(const Material &layer)
     throw std::domain_error(std::string("has a wall that ") + error.what());
   }
 }
+
+/// The pressure [Pa] of an inner radius [m] of a section of finite strain.
+std::function<double(double)> finite_law_of(const TubeSection &section)
+{
+  if (section.layers.front().strain_law->has_own_mean_stress())
+    return [tube = SaintVenantKirchhoffTube(section)](const double radius)
+    { return tube.pressure(radius); };
+  return [tube = LoadedTube(section)](const double radius) { return tube.pressure(radius); };
+}
+
+/// The walls of a tube of finite strain. Over the area relative to that without load the pressure
+/// depends on thickness over radius alone, if the layers have the same shares of the thickness
+/// everywhere: so a few tables serve all sections. They are linear between their ratios, as the
+/// pressure of a thin wall is.
+class TableOfWalls
+{
+public:
+  TableOfWalls(const std::function<TubeSection(double)> &section_at,
+               const double length,
+               const unsigned int n_cells,
+               const double shift)
+      : shift(shift)
+  {
+    const TubeSection first = section_at(0.);
+    least = most = ratio_of(first);
+    for (unsigned int i = 1; i <= 2 * n_cells; ++i)
+    {
+      const TubeSection section = section_at(0.5 * i * length / n_cells);
+      least = std::min(least, ratio_of(section));
+      most = std::max(most, ratio_of(section));
+      for (std::size_t layer = 0; layer < section.layers.size(); ++layer)
+        has_same_shares = has_same_shares &&
+                          std::abs(section.layer_thicknesses[layer] / section.wall_thickness() -
+                                   first.layer_thicknesses[layer] / first.wall_thickness()) < 1e-9;
+    }
+    if (!has_same_shares)
+      return;
+    const unsigned int n = most > least * (1. + 1e-9) ? n_ratios : 1;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      TubeSection section = first;
+      const double ratio = n > 1 ? least + i * (most - least) / (n - 1) : least;
+      for (double &thickness : section.layer_thicknesses)
+        thickness *= ratio / ratio_of(first);
+      tables.emplace_back(area_of(section), finite_law_of(section), shift);
+    }
+  }
+
+  TabulatedWall at(const TubeSection &section) const
+  {
+    if (!has_same_shares)
+      return {area_of(section), finite_law_of(section), shift};
+    if (tables.size() == 1)
+      return {area_of(section), tables.front(), tables.front(), 0.};
+    const double place = std::clamp((ratio_of(section) - least) / (most - least), 0., 1.) *
+                         static_cast<double>(tables.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(place), tables.size() - 2);
+    return {area_of(section), tables[i], tables[i + 1], place - static_cast<double>(i)};
+  }
+
+private:
+  static constexpr unsigned int n_ratios = 17;
+  double shift, least = 0., most = 0.; ///< [Pa]; thickness over radius [1]
+  bool has_same_shares = true;
+  std::vector<TabulatedWall> tables; ///< of equally spaced ratios
+
+  static double ratio_of(const TubeSection &section)
+  {
+    return section.wall_thickness() / section.inner_radius;
+  }
+};
 } // namespace
 
 TubeWall::TubeWall(const TubeSection &section, const WallTheory theory)
@@ -105,14 +178,6 @@ void TubeWall::set_relaxation()
     branch.share /= whole;
 }
 
-std::function<double(double)> TubeWall::finite_law() const
-{
-  if (section.layers.front().strain_law->has_own_mean_stress())
-    return [tube = SaintVenantKirchhoffTube(section)](const double radius)
-    { return tube.pressure(radius); };
-  return [tube = LoadedTube(section)](const double radius) { return tube.pressure(radius); };
-}
-
 bool TubeWall::is_neo_hookean() const
 {
   for (const Material &layer : section.layers)
@@ -133,7 +198,7 @@ double TubeWall::density_times_speed_squared() const
   if (is_finite())
   {
     // R/2 dp/dR.
-    const std::function<double(double)> pressure = finite_law();
+    const std::function<double(double)> pressure = finite_law_of(section);
     constexpr double step = 1e-4;
     return (pressure(section.inner_radius * (1. + step)) -
             pressure(section.inner_radius * (1. - step))) /
@@ -185,22 +250,9 @@ std::unique_ptr<Vessel> TubeWall::make(const VesselDescription &description,
                                          });
   else
   {
-    // A uniform tube has one table.
-    std::unique_ptr<TabulatedWall> last;
-    TubeSection of_last;
+    const TableOfWalls walls(section_at, description.length, description.n_cells, shift);
     vessel = make_vessel<TabulatedWall>(description, flow_law,
-                                        [&](const double z)
-                                        {
-                                          const TubeSection section = section_at(z);
-                                          if (last == nullptr || !(section == of_last))
-                                          {
-                                            last = std::make_unique<TabulatedWall>(
-                                                area_of(section),
-                                                TubeWall(section, theory).finite_law(), shift);
-                                            of_last = section;
-                                          }
-                                          return *last;
-                                        });
+                                        [&](const double z) { return walls.at(section_at(z)); });
   }
   if (!first.relaxing.is_elastic())
     vessel->set_relaxation(first.relaxing);

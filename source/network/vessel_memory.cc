@@ -88,17 +88,12 @@ double VesselMemory::friction_weight(const unsigned int mode, const double area)
 
 double VesselMemory::friction(const unsigned int cell, const double area) const
 {
-  // The two implicit stages are at these parts of the step. Of modes that are much faster than a
-  // step they alone have the right rates.
-  constexpr double first = 0.29289321881345254, second = 1. - first,
-                   beyond = (1. - second) / (second - first);
+  // Of modes that are much faster than a step neither stage has the rate of change of the step, but
+  // their mean has it.
   double sum = 0.;
   for (unsigned int j = 0; j < modes.size(); ++j)
-  {
-    const double of_first = modes[j].rates[0][cell], of_second = modes[j].rates[1][cell];
-    sum += friction_weight(j, area) / friction_rate(j, area) *
-           (of_second + beyond * (of_second - of_first));
-  }
+    sum += friction_weight(j, area) / friction_rate(j, area) * 0.5 *
+           (modes[j].rates[0][cell] + modes[j].rates[1][cell]);
   return sum;
 }
 

@@ -21,6 +21,9 @@ public:
   /// `pressure(r)` [Pa] of the inner radius r [m]; `area` [m^2] without load; to all pressures
   /// `shift` [Pa] is added. Throws std::domain_error where the pressure does not rise at `area`.
   TabulatedWall(double area, const std::function<double(double)> &pressure, double shift = 0.);
+  /// Between two tables: `share` of the second one and the rest of the first one, whose shift it
+  /// has. `area` [m^2] without load.
+  TabulatedWall(double area, const TabulatedWall &first, const TabulatedWall &second, double share);
 
   /// [m^2].
   double reference_area() const { return area_without_load; }

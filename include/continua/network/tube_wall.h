@@ -50,8 +50,6 @@ private:
   bool is_finite() const { return section.layers.front().strain_law != nullptr; }
   bool is_neo_hookean() const;
   void check_finite() const;
-  /// The pressure [Pa] of an inner radius [m].
-  std::function<double(double)> finite_law() const;
   void set_relaxation();
 };
 } // namespace Continua

@@ -42,7 +42,8 @@ TubeWaveProblem problem_without_load(const Case<dim> &input, const TubeWaveCase 
   return problem;
 }
 
-/// The slowest long wave without load [m/s], and the length of the longest tube [m].
+/// The slowest long wave [m/s], about the mean pressure if there is one, and the length of the
+/// longest tube [m].
 std::pair<double, double> slowest_and_longest(const TubeWaveProblem &problem)
 {
   double slowest = std::numeric_limits<double>::infinity();
@@ -76,7 +77,7 @@ std::unique_ptr<NonlinearTubeWaves> make_nonlinear_waves(const Case<dim> &input,
     const double end = input.time.end_time;
     const double frequency = energy_frequency(
         samples_of_whole_pulse(wave_case.inlet, end, n_samples_of_load), end / n_samples_of_load);
-    const auto [speed, length] = slowest_and_longest(problem);
+    const auto [speed, length] = slowest_and_longest(wave_case.problem);
     settings.cell_length =
         length / std::clamp(cells_in_a_wave * frequency * length / speed, fewest_cells, most_cells);
   }
