@@ -282,7 +282,7 @@ void taper_of_tables()
     section.inner_radius *= 1. - 0.4 * z / length;
     section.layer_thicknesses = {0.3 * thickness, 0.7 * thickness};
     section.layers.push_back(section.layers.front());
-    // That of Mooney and Rivlin is neo-Hookean in plane strain.
+    // Mooney and Rivlin have the neo-Hookean law in plane strain.
     for (Material &layer : section.layers)
     {
       layer.strain_law_parameters.type = "mooney rivlin";

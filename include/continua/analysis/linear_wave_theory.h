@@ -11,8 +11,9 @@ namespace Continua
 {
 /**
  * The waves of a tube at the stations of its probes by linear theory, and by nonlinear theory where
- * that is asked for: as an analysis of its own, without a mesh's fields, or beside a transient run. Writes wave.csv (wave-NAME.csv if several probes have
- * stations), dispersion.csv and the quantities of WaveReport.
+ * that is asked for: as an analysis of its own, without a mesh's fields, or beside a transient run.
+ * Writes wave.csv (wave-NAME.csv if several probes have stations), dispersion.csv and the
+ * quantities of WaveReport.
  */
 template <int dim>
 class LinearWaveTheory
@@ -47,9 +48,8 @@ private:
 
   static void name_all(const Case<dim> &input, bool simulated, QuantityNames &names);
   /// All theories of the case, in the order of the report.
-  std::vector<OfProbes> theories(const TubeWaveCase &wave_case,
-                                 const std::vector<double> &times,
-                                 bool simulated);
+  std::vector<OfProbes>
+  theories(const TubeWaveCase &wave_case, const std::vector<double> &times, bool simulated);
   OfProbes at_stations(const WaveModel &model,
                        const TubeWaveCase &wave_case,
                        const std::vector<double> &times,
