@@ -46,6 +46,7 @@ public:
   unsigned int n_cells() const; ///< of all vessels
 
 private:
+  // NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
   struct Tube
   {
     TubeWaveProblem problem;
