@@ -274,8 +274,8 @@ class Results:
     def waves(self):
         """{probe: xarray.Dataset} of the probes with `Stations` in a tube.
 
-        `waves["stations"]["pressure"]` has the shape (sources, stations, times) and the coordinates `source` ("simulated", "theory" or
-        "measured"), `position` [m] and `time` [s], and the unit in `attrs["units"]`. What a source does not have is nan. The differences
+        `waves["stations"]["pressure"]` has the shape (sources, stations, times) and the coordinates `source` ("simulated", "theory",
+        "nonlinear theory" or "measured"), `position` [m] and `time` [s], and the unit in `attrs["units"]`. What a source does not have is nan. The differences
         between sources are columns of `table("wave")`.
         """
         from . import waves

@@ -9,8 +9,9 @@ import xarray
 
 from . import tables
 
-SOURCES = ("simulated", "theory", "measured")
-_COLUMN = re.compile(r"(.*) ([-+]?\d+\.?\d*(?:[eE][-+]?\d+)?) m: (.*), (" + "|".join(SOURCES) + ")")
+SOURCES = ("simulated", "theory", "nonlinear theory", "measured")  # in this order; others stand behind them
+# A source has no hyphen in its name, differences have one.
+_COLUMN = re.compile(r"(.*) ([-+]?\d+\.?\d*(?:[eE][-+]?\d+)?) m: ([^,]*), ([a-z ]+)")
 
 
 def paths_of_waves(folder):
@@ -22,7 +23,7 @@ def read_waves(folder):
     """{probe: xarray.Dataset} of the probes with stations, in the order of the files; empty where no file has a row.
 
     A variable of a data set is a field, such as "pressure", of shape (sources, stations, times) with the coordinates `source`
-    ("simulated", "theory" or "measured"), `position` [m], rising, and `time` [s]. Its unit is in `attrs["units"]`. Values that a source,
+    ("simulated", "theory", "nonlinear theory" or "measured"), `position` [m], rising, and `time` [s]. Its unit is in `attrs["units"]`. Values that a source,
     a station or a time does not have are nan. Raises ResultsError as tables.read_table.
     """
     found = {}
@@ -44,7 +45,8 @@ def read_waves(folder):
 
 def _dataset(time, fields, units):
     keys = [key for curves in fields.values() for key in curves]
-    sources = [source for source in SOURCES if source in (key[0] for key in keys)]
+    there = list(dict.fromkeys(key[0] for key in keys))
+    sources = [source for source in SOURCES if source in there] + [source for source in there if source not in SOURCES]
     positions = sorted({position for _, position in keys})
     variables = {}
     for field, curves in fields.items():

@@ -100,7 +100,7 @@ def fields_of_tables(run):
     for path in [os.path.join(run["folder"], "probes.csv"),
                  *sorted(glob.glob(os.path.join(glob.escape(run["folder"]), "wave*.csv")))]:
         for column in header(path)[1:]:
-            found.append(re.sub(r", (simulated|theory|measured)\b.*", "", continua.tables.split_unit(column)[0].rpartition(": ")[2]))
+            found.append(re.sub(r", (simulated|theory|nonlinear theory|measured)\b.*", "", continua.tables.split_unit(column)[0].rpartition(": ")[2]))
     return list(dict.fromkeys(found))
 
 

@@ -317,12 +317,12 @@ def draw_line(sheet, quantity, there, several, settings):
         look = plot_style.of_run(i, len(line.places)) if several else {"color": plot_style.COLOURS[0]}
         name = f"{run['title']}: {line.source}" if several else line.source
         curves += axes.plot(place_factor * line.places, factor * line.at(times[0]), label=name, **look)
-        for source in ("theory", "measured"):
+        for source in (*plot_waves.THEORIES, "measured"):
             field = dict(stations).get(i)
             if field is not None and source in field.sources and line.source != source:
                 look = {**plot_waves.look_of(i, "measured", several), "markersize": 5}
-                if source == "theory":
-                    look.update(color="#000000" if i == 0 else look["color"], marker="x")
+                if source in plot_waves.THEORIES:
+                    look.update(color="#000000" if i == 0 else look["color"], marker="x" if source == "theory" else "+")
                 (drawn,) = axes.plot(place_factor * numpy.array(field.positions), numpy.zeros(len(field.positions)),
                                      label=f"{run['title']}: {source}" if several else source, **look)
                 points.append((drawn, field, source))

@@ -15,6 +15,7 @@ N_MARKERS = 40  # of a measured curve
 LEVELS = numpy.linspace(-1, 1, 11)  # of the lines in space and time, over the largest pressure
 OVERLAP = 1.6  # height of the tallest curve, in distances of stations
 MOST_THEORIES = 3  # in one picture of several runs
+THEORIES = ("theory", "nonlinear theory")
 N_PLACES = 200  # columns of the space-time picture
 MOST_ON_A_LINEAR_AXIS = 8.0  # the largest value over the smallest one; above, the axis is logarithmic
 
@@ -66,11 +67,16 @@ def darker(colour):
 
 
 def look_of(i, source, several, n_points=0):
-    """Of the i-th run: the simulated curve in the run's own colour (and dash), theory thin and dark, measured values as circles."""
+    """Of the i-th run: the simulated curve in the run's own colour (and dash), theory thin and dark, nonlinear theory with dots between
+    its dashes, measured values as circles."""
     own = plot_style.of_run(i, n_points) if several else {"color": plot_style.COLOURS[0], "linestyle": "-"}
     if source == "simulated":
         return {**own, "linewidth": 1.3}
     look = {"color": darker(own["color"]), "linestyle": (0, (4, 2)), "linewidth": 0.8}
+    if source == "nonlinear theory":
+        look.update(linestyle=(0, (6, 1.5, 1, 1.5)), linewidth=1.0)
+        if not several:
+            look.update(color=plot_style.COLOURS[1])
     if source == "measured":
         look.update(color=plot_style.MEASURED if i == 0 else darker(own["color"]), linestyle="none", marker="o", markersize=3,
                     markerfacecolor="none", markeredgewidth=0.7)
@@ -147,7 +153,7 @@ def draw_stations(sheet, name, entries, normalised, several, probe=""):
     height = OVERLAP * distance / largest
 
     # Many runs with a theory each hide each other.
-    crowded = [source for source in ("theory",) if MOST_THEORIES < sum(
+    crowded = [source for source in THEORIES if MOST_THEORIES < sum(
         source in field.sources and "simulated" in field.sources and not repeats(entries, i, source)
         for i, (_, field, _) in enumerate(entries))]
     for source in crowded:
@@ -176,7 +182,7 @@ def draw_stations(sheet, name, entries, normalised, several, probe=""):
                 axes.plot(time_factor * time, place_factor * (position + height * factor * values), **{**look, **every})
             # A line for each run, and one for all theories: their colours tell whose they are.
             if several and source != "simulated" and not is_result:
-                others.setdefault(source, {**look, "color": "#555555"} if source == "theory" else look)
+                others.setdefault(source, {**look, "color": "#555555"} if source in THEORIES else look)
                 continue
             text = run["title"] if several else source
             handles.append(matplotlib.lines.Line2D([], [], label=text, **{key: value for key, value in look.items() if key != "markevery"}))
@@ -269,7 +275,7 @@ def space_time(fields, name="pressure"):
     """(positions, time, values by place and time, their source). Between stations the waves of pressure that travel forward and
     backward are followed at the speed of the first pulse; where they are not told apart, values are linear."""
     pressure = fields[name]
-    source = next(source for source in wave_tables.SOURCES if source in pressure.sources)
+    source = next(iter(pressure.sources))
     curves = pressure.sources[source]
     parts = [(curves, 0.0)]
     if name == "pressure" and all(wave in fields and source in fields[wave].sources for wave in ("forward wave", "backward wave")):

@@ -116,7 +116,7 @@ def chart(name, kind, unit, lines, parts, columns, scales, most):
         # The curves of one station have one colour.
         number = labels.index(label.partition(", beat ")[0]) if by_label else sum(len(one["ys"]) for one in result["groups"]) - 1
         measured = quantity.endswith(", measured")
-        is_thin = quantity.endswith(", theory") or name.startswith("last-beat") and label.partition(", beat ")[2] != last
+        is_thin = quantity.endswith((", theory", ", nonlinear theory")) or name.startswith("last-beat") and label.partition(", beat ")[2] != last
         group["of"].append({"label": text, "colour": plot_style.COLOURS_OF_RUNS[number % 8],
                             "dash": [3, 4] if is_thin else [[], [8, 3], [2, 3], [8, 3, 2, 3]][number // 8 % 4], "points": measured})
     result["lines"] = [line for group in result["groups"] for line in group.pop("of")]

@@ -2,7 +2,7 @@
 
 import numpy
 import tables
-from continua.waves import SOURCES, read_waves as waves_of_probes
+from continua.waves import read_waves as waves_of_probes
 
 SEEN = 0.2  # a peak counts as the first from this part of the largest value on
 PASSED = 0.5  # a peak has passed when the curve has fallen to this part of it
@@ -17,11 +17,11 @@ class Field:
         self.unit = array.attrs["units"]
         self.time = array["time"].to_numpy()
         self.positions = array["position"].to_numpy().tolist()
-        self.sources = {source: array.sel(source=source).to_numpy() for source in SOURCES if source in array["source"]}
+        self.sources = {source: array.sel(source=source).to_numpy() for source in array["source"].to_numpy()}
 
     def best(self):
         """What was simulated; without a simulation what theory says; else what was measured."""
-        return next(self.sources[source] for source in SOURCES if source in self.sources)
+        return next(iter(self.sources.values()))
 
 
 def read_waves(folder, probe=None):

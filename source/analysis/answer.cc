@@ -2,6 +2,7 @@
 
 #include <continua/base/text_table.h>
 #include <continua/base/undefined.h>
+#include <continua/theory/wave_source.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,39 +48,38 @@ bool ends_with(const std::string &text, const std::string &end)
 /// A row for each speed of each probe.
 Table waves(const std::vector<Quantity> &quantities)
 {
-  const std::vector<std::string> prefixes = {"", "theoretical ", "measured "};
+  const std::vector<WaveSource> sources = WaveSource::all();
   const std::vector<std::string> names = {"wave speed by phase", "wave speed at half height",
                                           "wave speed of the foot", "wave speed", "attenuation"};
   std::vector<std::string> probes;
   std::map<std::pair<std::string, std::string>, std::vector<double>> values;
   std::map<std::string, std::string> units;
-  std::vector<bool> is_there = {false, false, false};
+  std::vector<bool> is_there(sources.size(), false);
   for (const Quantity &quantity : quantities)
-    for (std::size_t source = 0; source < prefixes.size(); ++source)
+    for (std::size_t source = 0; source < sources.size(); ++source)
       for (const std::string &name : names)
-        if (quantity.name == prefixes[source] + name)
+        if (quantity.name == sources[source].prefix + name)
         {
           if (std::find(probes.begin(), probes.end(), quantity.probe) == probes.end())
             probes.push_back(quantity.probe);
           units[name] = quantity.unit;
           is_there[source] = true;
-          values.try_emplace({quantity.probe, name}, prefixes.size(), undefined)
+          values.try_emplace({quantity.probe, name}, sources.size(), undefined)
               .first->second[source] = quantity.value;
         }
   Table table;
   if (probes.empty())
     return table;
-  const std::vector<std::string> headings = {"simulated", "theory", "measured"};
   table.push_back({"waves"});
-  for (std::size_t source = 0; source < prefixes.size(); ++source)
+  for (std::size_t source = 0; source < sources.size(); ++source)
     if (is_there[source])
-      table.back().push_back(headings[source]);
+      table.back().push_back(sources[source].name);
   for (const std::string &probe : probes)
     for (const std::string &name : names)
       if (const auto found = values.find({probe, name}); found != values.end())
       {
         table.push_back({std::string("  ").append(probe).append(": ").append(name)});
-        for (std::size_t source = 0; source < prefixes.size(); ++source)
+        for (std::size_t source = 0; source < sources.size(); ++source)
           if (is_there[source])
             table.back().push_back(cell(found->second[source], units[name]));
       }

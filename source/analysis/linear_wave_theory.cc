@@ -7,6 +7,7 @@
 #include <continua/base/interruption.h>
 #include <continua/case/measured_waves.h>
 #include <continua/case/theory/loaded_tube_case.h>
+#include <continua/case/theory/nonlinear_wave_case.h>
 #include <continua/case/theory/station_waves.h>
 #include <continua/case/theory/tube_wave_case.h>
 #include <continua/postprocess/writing_rank.h>
@@ -118,6 +119,7 @@ void LinearWaveTheory<dim>::check(const Case<dim> &input, ParameterSection root)
     root.subsection("Time").refuse(
         "Time step control", "linear wave theory makes no steps in time",
         "Remove the entry: Time step is the interval of the theory's table");
+  check_nonlinear_waves(input, root);
   StreamReport<dim>::check(input, root);
 }
 
@@ -134,6 +136,7 @@ void LinearWaveTheory<dim>::check_overlay(const Case<dim> &input, ParameterSecti
     root.subsection("Wave theory")
         .refuse("Far end", "theory beside a run must have the run's own far end",
                 "Leave the entry out, or set Analysis = linear wave theory");
+  check_nonlinear_waves(input, root);
 }
 
 template <int dim>
@@ -161,13 +164,15 @@ void LinearWaveTheory<dim>::name_all(const Case<dim> &input,
       (!simulated || input.wave_theory.overlay) && make_tube_wave_case(input, wave_case).empty();
   for (const StationsProbe &probe : input.probes.stations())
   {
-    std::set<WaveReport::Source> sources;
+    std::vector<WaveSource> sources;
     if (simulated)
-      sources.insert(WaveReport::Source::simulated);
+      sources.push_back(WaveSource::simulated());
     if (has_theory)
-      sources.insert(WaveReport::Source::theory);
+      sources.push_back(WaveSource::linear_theory());
+    if (input.wave_theory.nonlinear)
+      sources.push_back(WaveSource::nonlinear_theory());
     if (input.measured_waves.count(probe.name) > 0)
-      sources.insert(WaveReport::Source::measured);
+      sources.push_back(WaveSource::measured());
     // Of the impedances only their presence counts here.
     const bool is_tube = !input.geometry->branches().empty();
     const WaveStations stations{probe.name,
@@ -218,30 +223,41 @@ void LinearWaveTheory<dim>::compare()
 }
 
 template <int dim>
-void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool simulated)
+typename LinearWaveTheory<dim>::OfProbes
+LinearWaveTheory<dim>::at_stations(const WaveModel &model,
+                                   const TubeWaveCase &wave_case,
+                                   const std::vector<double> &times,
+                                   const bool simulated)
 {
-  SectionTimer::Scope scope(run.log.timer(), "wave theory");
+  OfProbes result{model.source(), {}};
+  for (const StationsProbe &probe : run.input.probes.stations())
+  {
+    StationWaves waves = station_waves(probe, model, wave_case, times);
+    if (!waves.end.empty())
+      run.log.warning("the " + model.source().name + " ends before the run does: " + waves.end);
+    result.histories.push_back(std::move(waves.histories));
+    // Beside a run only one rank comes here.
+    if (!simulated)
+      SignalWatch::stop_if_asked(run.input.communicator, "after the waves at the probe '" +
+                                                             probe.name +
+                                                             "'; begin anew with --overwrite");
+  }
+  return result;
+}
+
+template <int dim>
+std::vector<typename LinearWaveTheory<dim>::OfProbes> LinearWaveTheory<dim>::theories(
+    const TubeWaveCase &wave_case, const std::vector<double> &times, const bool simulated)
+{
   const Case<dim> &input = run.input;
-  std::vector<Histories> theoretical; // by probe
-  TubeWaveCase wave_case;
-  const std::string why_not = make_tube_wave_case(input, wave_case);
-  if (!why_not.empty())
-    run.log.detail("no wave theory: " + why_not);
-  else if (!simulated || input.wave_theory.overlay)
+  std::vector<OfProbes> found;
+  if (!simulated || input.wave_theory.overlay)
     try
     {
       run.log.note("Computing the waves of the tube by theory; this can take minutes");
       const TubeWaveTheory theory(wave_case.problem, wave_case.inlet, input.time.end_time,
                                   input.wave_theory.spectral_tolerance);
-      for (const StationsProbe &probe : input.probes.stations())
-      {
-        theoretical.push_back(station_waves(probe, theory, wave_case, times));
-        // Beside a run only one rank comes here.
-        if (!simulated)
-          SignalWatch::stop_if_asked(input.communicator, "after the waves at the probe '" +
-                                                             probe.name +
-                                                             "'; begin anew with --overwrite");
-      }
+      found.push_back(at_stations(theory, wave_case, times, simulated));
       describe(theory, wave_case);
     }
     catch (const std::exception &error)
@@ -249,9 +265,31 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
       // What was simulated is not lost because theory fails, unless it was asked for.
       if (!simulated || input.wave_theory.overlay_given)
         throw;
-      theoretical.clear();
+      found.clear();
       run.log.warning(std::string("no wave theory beside the run: ") + error.what());
     }
+  if (input.wave_theory.nonlinear)
+  {
+    const std::unique_ptr<NonlinearTubeWaves> theory = make_nonlinear_waves(input, wave_case);
+    run.log.detail("Nonlinear wave theory: " + std::to_string(theory->n_cells()) + " cells");
+    run.summary.set("cells of the nonlinear wave theory", theory->n_cells() * 1.);
+    found.push_back(at_stations(*theory, wave_case, times, simulated));
+  }
+  return found;
+}
+
+template <int dim>
+void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool simulated)
+{
+  SectionTimer::Scope scope(run.log.timer(), "wave theory");
+  const Case<dim> &input = run.input;
+  TubeWaveCase wave_case;
+  const std::string why_not = make_tube_wave_case(input, wave_case);
+  std::vector<OfProbes> of_theories;
+  if (why_not.empty())
+    of_theories = theories(wave_case, times, simulated);
+  else
+    run.log.detail("no wave theory: " + why_not);
   const double frequency = load_frequency(wave_case.inlet, input.time.end_time);
   // A run may end before its end time.
   const double end = times.empty() ? input.time.end_time : times.back();
@@ -288,15 +326,15 @@ void LinearWaveTheory<dim>::report(const std::vector<double> &times, const bool 
       stations.direction = direction_of_pulse(input, probe.branch);
     WaveReport report(stations, times);
     if (simulated)
-      report.set(WaveReport::Source::simulated,
+      report.add(WaveSource::simulated(),
                  simulated_histories(probe, probe.columns,
                                      [&](const unsigned int column) -> const std::vector<double> &
                                      { return input.probes.values(column); }));
-    if (!theoretical.empty())
-      report.set(WaveReport::Source::theory, theoretical[p]);
+    for (const OfProbes &theory : of_theories)
+      report.add(theory.source, theory.histories[p]);
     const auto measured = input.measured_waves.find(probe.name);
     if (measured != input.measured_waves.end())
-      report.set(WaveReport::Source::measured, measured->second.histories(times));
+      report.add(WaveSource::measured(), measured->second.histories(times));
     if (n_beats >= 1.)
       report.set_beat((n_beats - 1.) * period, n_beats * period);
     else if (beats.number > 1)

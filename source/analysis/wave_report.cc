@@ -17,13 +17,11 @@ namespace
 {
 /// A backward wave counts as a pulse from this part of the first pulse's height on.
 constexpr double smallest_reflection = 0.1;
-const char *const source_names[3] = {"simulated", "theory", "measured"};
 const char *const speeds_and_attenuation[5] = {"wave speed", "wave speed at half height",
                                                "wave speed of the foot", "wave speed by phase",
                                                "attenuation"};
 const char *const all_speeds =
     "wave speed, wave speed at half height, wave speed of the foot, wave speed by phase";
-const char *const prefixes[3] = {"", "theoretical ", "measured "};
 
 const std::vector<std::pair<MissingPulse, std::string>> &reasons_of_missing_pulse()
 {
@@ -68,11 +66,9 @@ void WaveReport::set_beat(const double begin_time, const double end_time)
                first_analysed;
 }
 
-void WaveReport::set(const Source source, const Histories &histories)
+void WaveReport::add(const WaveSource &source, const Histories &histories)
 {
-  Data &target = sources[static_cast<int>(source)];
-  target.present = true;
-  target.histories = histories;
+  sources.push_back({source, histories, {}});
 }
 
 int WaveReport::field(const std::string &name) const
@@ -97,7 +93,6 @@ void WaveReport::write(const std::string &file) const
     header.push_back(station_name(station) + ": " + field + ", " + what + " [" + unit + "]");
     columns.push_back(values);
   };
-  const Source first = data(Source::simulated).present ? Source::simulated : Source::theory;
   const int pressure = field("pressure");
   // Without an impedance the waves cannot be told apart.
   const int flow_rate = stations.impedances.empty() ? -1 : field("flow rate");
@@ -105,31 +100,25 @@ void WaveReport::write(const std::string &file) const
   {
     for (unsigned int f = 0; f < stations.fields.size(); ++f)
     {
-      for (const Source source : {Source::simulated, Source::theory, Source::measured})
-        if (data(source).present)
-          add(s, stations.fields[f], source_names[static_cast<int>(source)], stations.units[f],
-              data(source).histories[s][f]);
-      for (const Source source : {Source::theory, Source::measured})
-        if (source != first && data(source).present)
-        {
-          std::vector<double> difference = data(first).histories[s][f];
-          for (std::size_t i = 0; i < times.size(); ++i)
-            difference[i] -= data(source).histories[s][f][i];
-          add(s, stations.fields[f],
-              std::string(source_names[static_cast<int>(first)]) + " - " +
-                  source_names[static_cast<int>(source)],
-              stations.units[f], difference);
-        }
+      for (const Data &data : sources)
+        add(s, stations.fields[f], data.source.name, stations.units[f], data.histories[s][f]);
+      for (std::size_t other = 1; other < sources.size(); ++other)
+      {
+        std::vector<double> difference = sources.front().histories[s][f];
+        for (std::size_t i = 0; i < times.size(); ++i)
+          difference[i] -= sources[other].histories[s][f][i];
+        add(s, stations.fields[f], sources.front().source.name + " - " + sources[other].source.name,
+            stations.units[f], difference);
+      }
     }
     if (pressure >= 0 && flow_rate >= 0)
-      for (const Source source : {Source::simulated, Source::theory})
-        if (data(source).present)
+      for (const Data &data : sources)
+        if (!data.source.is_measured)
         {
-          const SeparatedWaves waves =
-              separate_waves(data(source).histories[s][pressure],
-                             data(source).histories[s][flow_rate], stations.impedances[s]);
-          add(s, "forward wave", source_names[static_cast<int>(source)], "Pa", waves.forward);
-          add(s, "backward wave", source_names[static_cast<int>(source)], "Pa", waves.backward);
+          const SeparatedWaves waves = separate_waves(
+              data.histories[s][pressure], data.histories[s][flow_rate], stations.impedances[s]);
+          add(s, "forward wave", data.source.name, "Pa", waves.forward);
+          add(s, "backward wave", data.source.name, "Pa", waves.backward);
         }
   }
   TableWriter table(file, header);
@@ -180,9 +169,10 @@ std::string WaveReport::records_in_part(const Histories &histories) const
 }
 
 std::vector<WaveReport::Pulse>
-WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
+WaveReport::analyse(const Data &data, Summary &summary, Notes &notes) const
 {
-  const Histories &histories = data(source).histories;
+  const Histories &histories = data.histories;
+  const bool is_measured = data.source.is_measured;
   const int pressure = field("pressure");
   // Without an impedance the waves cannot be told apart.
   const int flow_rate = stations.impedances.empty() ? -1 : field("flow rate");
@@ -207,12 +197,12 @@ WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
   std::vector<unsigned int> used;
   for (const unsigned int s : order)
     if (all_finite(histories[s][pressure]) &&
-        (flow_rate < 0 || source == Source::measured || all_finite(histories[s][flow_rate])))
+        (flow_rate < 0 || is_measured || all_finite(histories[s][flow_rate])))
     {
       used.push_back(s);
       record.positions.push_back(stations.direction * stations.positions[s]);
       record.pressure.push_back(analysed(histories[s][pressure], 1.));
-      if (flow_rate >= 0 && source != Source::measured)
+      if (flow_rate >= 0 && !is_measured)
       {
         record.flow_rate.push_back(analysed(histories[s][flow_rate], stations.direction));
         record.characteristic_impedance.push_back(stations.impedances[s]);
@@ -220,7 +210,7 @@ WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
     }
   std::vector<Pulse> pulses(stations.positions.size(), {undefined, undefined, undefined, undefined,
                                                         undefined, undefined, undefined});
-  const std::string prefix = prefixes[static_cast<int>(source)];
+  const std::string &prefix = data.source.prefix;
   const std::string in_part = records_in_part(histories);
   if (used.empty() || n_analysed < 2)
   {
@@ -235,8 +225,9 @@ WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
       notes.lines.push_back(
           "No " + prefix + "wave speed and attenuation at the stations '" + stations.name +
           "': " + reason +
-          ". Give it a row at the first and at the last time of the run, or end the run "
-          "with it (Time/End time)");
+          (is_measured ? ". Give it a row at the first and at the last time of the run, or end the "
+                         "run with it (Time/End time)"
+                       : ""));
     return pulses;
   }
   if (!in_part.empty())
@@ -332,13 +323,10 @@ WaveReport::analyse(const Source source, Summary &summary, Notes &notes) const
   return pulses;
 }
 
-void WaveReport::compare(const Source a,
-                         const Source b,
-                         const std::vector<std::vector<Pulse>> &pulses,
-                         const std::string &suffix,
-                         Summary &summary) const
+void WaveReport::compare(const Data &a, const Data &b, Summary &summary) const
 {
-  const Histories &first = data(a).histories, &second = data(b).histories;
+  const Histories &first = a.histories, &second = b.histories;
+  const std::string &suffix = b.source.from;
   for (unsigned int f = 0; f < stations.fields.size(); ++f)
   {
     double largest = 0., difference = 0.;
@@ -353,7 +341,7 @@ void WaveReport::compare(const Source a,
       summary.add({"largest difference of " + stations.fields[f] + suffix, difference / largest,
                    "1", stations.name});
   }
-  if (pulses[static_cast<int>(a)].empty() || pulses[static_cast<int>(b)].empty())
+  if (a.pulses.empty() || b.pulses.empty())
     return;
   const auto largest_of = [&](const std::string &name, double Pulse::*what)
   {
@@ -361,8 +349,7 @@ void WaveReport::compare(const Source a,
     unsigned int n_compared = 0;
     for (unsigned int s = 0; s < stations.positions.size(); ++s)
     {
-      const double relative = std::abs(
-          pulses[static_cast<int>(a)][s].*what / (pulses[static_cast<int>(b)][s].*what) - 1.);
+      const double relative = std::abs(a.pulses[s].*what / (b.pulses[s].*what) - 1.);
       if (!std::isfinite(relative))
         continue;
       ++n_compared;
@@ -386,7 +373,7 @@ void WaveReport::compare(const Source a,
 }
 
 void WaveReport::name_quantities(const WaveStations &stations,
-                                 const std::set<Source> &sources,
+                                 const std::vector<WaveSource> &sources,
                                  QuantityNames &names)
 {
   const auto has_field = [&](const char *const name)
@@ -397,9 +384,9 @@ void WaveReport::name_quantities(const WaveStations &stations,
              flow_rate = has_field("flow rate") && !stations.impedances.empty();
   const auto station_label = [&](const double position)
   { return stations.name + " " + named_value(position, "m"); };
-  for (const Source source : sources)
+  for (const WaveSource &source : sources)
   {
-    const std::string prefix = prefixes[static_cast<int>(source)];
+    const std::string &prefix = source.prefix;
     if (!pressure)
       continue;
     for (const char *const name : speeds_and_attenuation)
@@ -409,14 +396,15 @@ void WaveReport::name_quantities(const WaveStations &stations,
       for (const char *const name :
            {"first pulse time", "first pulse height", "half height time", "foot time"})
         names.add(prefix + name, station_label(position));
-      if (flow_rate && source != Source::measured)
+      if (flow_rate && !source.is_measured)
         for (const char *const name :
              {"reflection coefficient", "reflected pulse time", "reflected pulse height"})
           names.add(prefix + name, station_label(position));
     }
   }
-  const auto compare = [&](const std::string &suffix)
+  for (std::size_t other = 1; other < sources.size(); ++other)
   {
+    const std::string &suffix = sources[other].from;
     for (const std::string &field : stations.fields)
       names.add(std::string("largest difference of ").append(field).append(suffix), stations.name);
     if (pressure)
@@ -426,25 +414,17 @@ void WaveReport::name_quantities(const WaveStations &stations,
         names.add(std::string("largest difference of ").append(name).append(suffix), stations.name);
         names.add(std::string("stations compared by ").append(name).append(suffix), stations.name);
       }
-  };
-  if (sources.count(Source::simulated) > 0 && sources.count(Source::theory) > 0)
-    compare("");
-  if (sources.count(Source::measured) > 0)
-    compare(" from measurement");
+  }
 }
 
-WaveReport::Notes WaveReport::add_quantities(Summary &summary) const
+WaveReport::Notes WaveReport::add_quantities(Summary &summary)
 {
   Notes notes;
-  std::vector<std::vector<Pulse>> pulses(3);
-  for (const Source source : {Source::simulated, Source::theory, Source::measured})
-    if (data(source).present && field("pressure") >= 0)
-      pulses[static_cast<int>(source)] = analyse(source, summary, notes);
-  if (data(Source::simulated).present && data(Source::theory).present)
-    compare(Source::simulated, Source::theory, pulses, "", summary);
-  if (data(Source::measured).present)
-    compare(data(Source::simulated).present ? Source::simulated : Source::theory, Source::measured,
-            pulses, " from measurement", summary);
+  if (field("pressure") >= 0)
+    for (Data &data : sources)
+      data.pulses = analyse(data, summary, notes);
+  for (std::size_t other = 1; other < sources.size(); ++other)
+    compare(sources.front(), sources[other], summary);
   return notes;
 }
 } // namespace Continua

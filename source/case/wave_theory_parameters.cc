@@ -12,6 +12,16 @@ void WaveTheoryParameters::read(ParameterSection section)
               "probes; where the theory does not cover the case there is none, unless it is asked "
               "for here.");
   overlay_given = section.given("Overlay") && overlay;
+  section.add("Nonlinear", nonlinear,
+              "Whether the one-dimensional nonlinear theory of the same tube stands beside the "
+              "waves, too, with waves of finite height; also with Overlay = false.");
+  section.add("Nonlinear cell length", nonlinear_cell_length, Dimensions::length,
+              "Of the cells of the nonlinear theory, at most [m]; 0: 300 cells in a wave of the "
+              "frequency below which 90 % of the energy of the load lies, 50 to 3000 in the tube.",
+              Range::not_negative());
+  if (section.given("Nonlinear cell length") && nonlinear_cell_length > 0. && !nonlinear)
+    section.refuse("Nonlinear cell length", "there is no nonlinear theory: Nonlinear is false",
+                   "Set Nonlinear = true, or leave the entry out");
   add_choice(section, "Level", level, wave_level_words(),
              "exact: viscous compressible liquid in a thick layered wall, pressure, axial "
              "and bending waves; closed formula: pressure wave of a thick wall; membrane: of a "

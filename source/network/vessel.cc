@@ -1,6 +1,7 @@
 #include <continua/network/vessel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace Continua
@@ -33,15 +34,24 @@ double Vessel::volume() const
 Vessel::Values Vessel::values(const double z) const
 {
   const double cell = cell_length(), place = z / cell - 0.5;
+  const auto shear_stress = [&](const State &state, const unsigned int i)
+  {
+    const FlowLaw &law = flow_law();
+    // The force on a length of the liquid over its density, over the circumference.
+    const double friction =
+        law.friction() * state.flow / state.area + (past ? past->friction(i, state.area) : 0.);
+    return law.density * friction / (2. * std::sqrt(FlowLaw::pi * state.area));
+  };
   const auto at_centre = [&](const unsigned int i)
   {
     return Values{pressure_at_centre(i, area[i]) + (past ? past->pressure_in_cell(i) : 0.), flow[i],
-                  area[i]};
+                  area[i], shear_stress({area[i], flow[i]}, i)};
   };
   const auto at_end = [&](const End end)
   {
     const State &state = of_end(end).state;
-    return Values{pressure(end, state.area), state.flow, state.area};
+    return Values{pressure(end, state.area), state.flow, state.area,
+                  shear_stress(state, end == End::start ? 0 : n_cells() - 1)};
   };
   Values first{}, second{};
   double share = 0.; // of the second
@@ -66,7 +76,8 @@ Vessel::Values Vessel::values(const double z) const
   }
   const auto between = [&](const double a, const double b) { return a + share * (b - a); };
   return {between(first.pressure, second.pressure), between(first.flow, second.flow),
-          between(first.area, second.area)};
+          between(first.area, second.area),
+          between(first.wall_shear_stress, second.wall_shear_stress)};
 }
 
 void Vessel::set(const std::vector<double> &areas, const std::vector<double> &flows)

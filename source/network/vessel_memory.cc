@@ -62,7 +62,11 @@ void VesselMemory::rest(const std::vector<double> &flows)
   for (States &branch : branches)
     std::fill(branch.now.begin(), branch.now.end(), 0.);
   for (States &mode : modes)
+  {
     mode.now = flows;
+    for (std::vector<double> &rates : mode.rates)
+      std::fill(rates.begin(), rates.end(), 0.);
+  }
 }
 
 void VesselMemory::begin_step()
@@ -80,6 +84,17 @@ double VesselMemory::friction_rate(const unsigned int mode, const double area) c
 double VesselMemory::friction_weight(const unsigned int mode, const double area) const
 {
   return 4. * friction_modes[mode].weight * FlowLaw::pi * law.viscosity / (law.density * area);
+}
+
+double VesselMemory::friction(const unsigned int cell, const double area) const
+{
+  // Of modes that are much faster than a step neither stage has the rate of change of the step, but
+  // their mean has it.
+  double sum = 0.;
+  for (unsigned int j = 0; j < modes.size(); ++j)
+    sum += friction_weight(j, area) / friction_rate(j, area) * 0.5 *
+           (modes[j].rates[0][cell] + modes[j].rates[1][cell]);
+  return sum;
 }
 
 double VesselMemory::fast_share(const double step) const

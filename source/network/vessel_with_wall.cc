@@ -4,6 +4,7 @@
 #include <continua/network/limited_slopes.h>
 #include <continua/network/neo_hookean_wall.h>
 #include <continua/network/square_root_wall.h>
+#include <continua/network/tabulated_wall.h>
 
 #include <algorithm>
 #include <cmath>
@@ -371,4 +372,7 @@ template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
 template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
                                              const FlowLaw &,
                                              const std::function<NeoHookeanWall(double)> &);
+template std::unique_ptr<Vessel> make_vessel(const VesselDescription &,
+                                             const FlowLaw &,
+                                             const std::function<TabulatedWall(double)> &);
 } // namespace Continua

@@ -60,8 +60,10 @@ StationHistories waves_at(const StationsProbe &probe,
                           const std::vector<double> &times)
 {
   const std::size_t n_before = std::lower_bound(times.begin(), times.end(), 0.) - times.begin();
-  StationHistories histories = station_waves(
-      probe, theory, wave_case, std::vector<double>(times.begin() + n_before, times.end()));
+  StationHistories histories =
+      station_waves(probe, theory, wave_case,
+                    std::vector<double>(times.begin() + n_before, times.end()))
+          .histories;
   for (auto &of_station : histories)
     for (std::vector<double> &of_field : of_station)
       of_field.insert(of_field.begin(), n_before, 0.);

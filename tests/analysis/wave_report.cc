@@ -66,9 +66,9 @@ UNIT_TEST(wave_report)
   std::fill(measured[2][0].begin(), measured[2][0].end(), std::numeric_limits<double>::quiet_NaN());
 
   WaveReport report(stations, times);
-  report.set(WaveReport::Source::simulated, simulated);
-  report.set(WaveReport::Source::theory, theory);
-  report.set(WaveReport::Source::measured, measured);
+  report.add(WaveSource::simulated(), simulated);
+  report.add(WaveSource::linear_theory(), theory);
+  report.add(WaveSource::measured(), measured);
   Summary summary;
   report.add_quantities(summary);
 
@@ -123,8 +123,8 @@ UNIT_TEST(wave_report)
       std::fill(measured[s][0].begin() + 101, measured[s][0].end(),
                 std::numeric_limits<double>::quiet_NaN());
     WaveReport of_short(stations, times);
-    of_short.set(WaveReport::Source::simulated, simulated);
-    of_short.set(WaveReport::Source::measured, measured);
+    of_short.add(WaveSource::simulated(), simulated);
+    of_short.add(WaveSource::measured(), measured);
     Summary absent;
     std::string lines;
     for (const std::string &line : of_short.add_quantities(absent).lines)
@@ -146,7 +146,7 @@ UNIT_TEST(wave_report)
     for (double &value : station[1])
       value = -value;
   WaveReport from_the_end(turned, times);
-  from_the_end.set(WaveReport::Source::simulated, mirrored);
+  from_the_end.add(WaveSource::simulated(), mirrored);
   Summary of_the_end;
   from_the_end.add_quantities(of_the_end);
   check::relative("from the end: wave speed", find(of_the_end, "wave speed", "tube"), 5., 1e-6);
@@ -171,7 +171,7 @@ UNIT_TEST(wave_report)
       station[f] = values;
     }
   WaveReport of_beat(stations, of_two_beats);
-  of_beat.set(WaveReport::Source::simulated, second);
+  of_beat.add(WaveSource::simulated(), second);
   of_beat.set_beat(times.back(), 2. * times.back());
   Summary of_second;
   of_beat.add_quantities(of_second);
@@ -182,6 +182,47 @@ UNIT_TEST(wave_report)
                   find(of_second, "first pulse height", "tube 0.5 m"), 1000., 1e-6);
   check::relative("second beat: reflection coefficient",
                   find(of_second, "reflection coefficient", "tube 0.1 m"), 1., 1e-6);
+
+  // A second theory has a name of its own, also in the names of quantities.
+  WaveReport of_two_theories(stations, times);
+  of_two_theories.add(WaveSource::simulated(), simulated);
+  of_two_theories.add(WaveSource::linear_theory(), theory);
+  WaveReport::Histories nonlinear = simulated;
+  for (auto &station : nonlinear)
+    for (auto &field : station)
+      for (double &value : field)
+        value *= 1.03;
+  of_two_theories.add(WaveSource::nonlinear_theory(), nonlinear);
+  Summary summary_of_two;
+  of_two_theories.add_quantities(summary_of_two);
+  check::relative("nonlinear theory: first pulse height",
+                  find(summary_of_two, "nonlinear theoretical first pulse height", "tube 0.3 m"),
+                  1030., 1e-6);
+  check::relative("from linear theory",
+                  find(summary_of_two, "largest difference of pressure", "tube"), 0.01 / 1.01,
+                  1e-6);
+  check::relative(
+      "from nonlinear theory",
+      find(summary_of_two, "largest difference of pressure from nonlinear theory", "tube"),
+      0.03 / 1.03, 1e-6);
+  QuantityNames names;
+  WaveReport::name_quantities(
+      stations,
+      {WaveSource::simulated(), WaveSource::linear_theory(), WaveSource::nonlinear_theory()},
+      names);
+  bool all_named = true;
+  for (const Quantity &quantity : summary_of_two.quantities())
+    all_named = all_named && names.has(quantity.name, quantity.probe);
+  check::is_true("all quantities have been named", all_named);
+  of_two_theories.write("wave_report_of_two.csv");
+  const CsvTable table_of_two("wave_report_of_two.csv", "");
+  check::is_true("columns of two theories", table_of_two.n_columns() == 1 + 3 * (2 * 5 + 6));
+  check::absolute(
+      "difference from nonlinear theory",
+      table_of_two.values(table_of_two.find("tube 0.1 m: pressure, simulated - nonlinear theory"),
+                          Dimensions::pressure)[120],
+      -30., 1e-6);
+  std::remove("wave_report_of_two.csv");
 
   const std::string file = "wave_report.csv";
   report.write(file);

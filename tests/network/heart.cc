@@ -143,7 +143,7 @@ void check_closed_valve()
   // -1 MPa in the chamber, and nothing fills it.
   heart.heart = {[](double) { return elastance; }, 0.01, 0., valve, -2e6, filling};
   Network with_valve = network(heart), closed = network(TerminalLaw());
-  Vessel::Values largest = {0., 0., 0.}, difference = {0., 0., 0.};
+  Vessel::Values largest = {}, difference = {};
   for (unsigned int i = 1; i <= 50; ++i)
   {
     with_valve.advance(0.02 * i, 0.8);

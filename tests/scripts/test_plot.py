@@ -278,14 +278,16 @@ def pulse(time, place, height=100.0):
     return [height * numpy.exp(-((time - arrival - 0.05) / 0.01)**2) for arrival in (place / 2, (0.8 - place) / 2)]
 
 
-def write_wave(folder, height=100.0):
+def write_wave(folder, height=100.0, nonlinear=False):
     time = numpy.arange(0, 0.5, 0.001)
     header, columns = ["time [s]"], [time]
     for place in (0.0, 0.1, 0.2, 0.3, 0.35):
         forward, backward = pulse(time, place, height)
         for name, values in (("pressure, simulated", forward + backward), ("pressure, theory", forward + backward),
                              ("pressure, simulated - theory", 0 * time), ("forward wave, simulated", forward),
-                             ("backward wave, simulated", backward)):
+                             ("backward wave, simulated", backward),
+                             *((("pressure, nonlinear theory", 0.9 * (forward + backward)),
+                                ("pressure, simulated - nonlinear theory", 0.1 * (forward + backward))) if nonlinear else ())):
             header.append(f'"tube {place:g} m: {name} [Pa]"')
             columns.append(values)
     rows = "\n".join(",".join(f"{value:.9g}" for value in row) for row in zip(*columns))
@@ -305,6 +307,19 @@ class Waves(unittest.TestCase):
             self.assertAlmostEqual(time, 0.15, delta=1e-5)
             self.assertAlmostEqual(height, 100, delta=0.1)
             self.assertAlmostEqual(wave_tables.travel_time(pressure, pressure.best()[:4]), 0.15, delta=1e-5)
+
+    def test_nonlinear_theory(self):
+        """A source of its own, behind linear theory, with a look of its own; the difference from it is no field."""
+        with tempfile.TemporaryDirectory() as folder:
+            write_wave(folder, nonlinear=True)
+            fields = wave_tables.read_waves(folder)
+            self.assertEqual(list(fields), ["pressure", "forward wave", "backward wave"])
+            pressure = fields["pressure"]
+            self.assertEqual(list(pressure.sources), ["simulated", "theory", "nonlinear theory"])
+            self.assertAlmostEqual(wave_tables.first_peak(pressure.time, pressure.sources["nonlinear theory"][2])[1], 90, delta=0.1)
+            for several in (False, True):
+                looks = [plot_waves.look_of(0, source, several) for source in pressure.sources]
+                self.assertEqual(len({str(look["linestyle"]) for look in looks}), 3)
 
     def test_first_peak_is_not_the_highest(self):
         time = numpy.linspace(0, 10, 1001)

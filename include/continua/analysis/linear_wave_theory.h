@@ -2,6 +2,7 @@
 #define continua_analysis_linear_wave_theory_h
 
 #include <continua/analysis/run.h>
+#include <continua/case/theory/station_waves.h>
 #include <continua/case/theory/tube_wave_case.h>
 
 #include <vector>
@@ -9,9 +10,10 @@
 namespace Continua
 {
 /**
- * The linear waves of a tube at the stations of its probes: as an analysis of its own, without a
- * mesh's fields, or beside a transient run. Writes wave.csv (wave-NAME.csv if several probes have
- * stations), dispersion.csv and the quantities of WaveReport.
+ * The waves of a tube at the stations of its probes by linear theory, and by nonlinear theory where
+ * that is asked for: as an analysis of its own, without a mesh's fields, or beside a transient run.
+ * Writes wave.csv (wave-NAME.csv if several probes have stations), dispersion.csv and the
+ * quantities of WaveReport.
  */
 template <int dim>
 class LinearWaveTheory
@@ -37,7 +39,21 @@ public:
 private:
   Run<dim> &run;
 
+  /// What a theory says, by probe.
+  struct OfProbes
+  {
+    WaveSource source;
+    std::vector<StationHistories> histories;
+  };
+
   static void name_all(const Case<dim> &input, bool simulated, QuantityNames &names);
+  /// All theories of the case, in the order of the report.
+  std::vector<OfProbes>
+  theories(const TubeWaveCase &wave_case, const std::vector<double> &times, bool simulated);
+  OfProbes at_stations(const WaveModel &model,
+                       const TubeWaveCase &wave_case,
+                       const std::vector<double> &times,
+                       bool simulated);
   void report(const std::vector<double> &times, bool simulated);
   /// Says how theory was computed, and tabulates its dispersion.
   void describe(const TubeWaveTheory &theory, const TubeWaveCase &wave_case);

@@ -17,11 +17,13 @@ enum class FarEnd
   branches     ///< out of which nothing comes back
 };
 
-/// The section Wave theory: how the linear waves of a tube are computed.
+/// The section Wave theory: how the waves of a tube are computed in theory.
 struct WaveTheoryParameters
 {
-  bool overlay = true;        ///< beside a run
-  bool overlay_given = false; ///< by the user, who is told if it cannot be had
+  bool overlay = true;               ///< beside a run
+  bool overlay_given = false;        ///< by the user, who is told if it cannot be had
+  bool nonlinear = false;            ///< one-dimensional nonlinear theory stands beside it
+  double nonlinear_cell_length = 0.; ///< of its cells at most [m]; 0: by the load
   WaveLevel level = WaveLevel::exact;
   FarEnd far_end = FarEnd::as_boundary;
   std::vector<double> branch_diameters;        ///< inner ones, of branches at the far end [m]

@@ -85,11 +85,12 @@ public:
   const std::vector<double> &flows() const { return flow; }
   /// Volume of the liquid [m^3].
   double volume() const;
-  /// The pressure [Pa], flow rate [m^3/s] and area [m^2] at z [m], linear between the centres of
-  /// the cells and the ends.
+  /// The pressure [Pa], flow rate [m^3/s], area [m^2] and shear stress on the wall, positive
+  /// towards the end [Pa], at z [m], linear between the centres of the cells and the ends. What the
+  /// friction remembers is in a cell alike everywhere.
   struct Values
   {
-    double pressure, flow, area;
+    double pressure, flow, area, wall_shear_stress;
   };
   Values values(double z) const;
   /// The state that the end had last.
@@ -174,7 +175,7 @@ private:
 };
 
 /// A vessel with a wall law for each place: `wall(z)` for z [m] is of the type Wall
-/// (square_root_wall.h, neo_hookean_wall.h).
+/// (square_root_wall.h, neo_hookean_wall.h, tabulated_wall.h).
 template <typename Wall>
 std::unique_ptr<Vessel> make_vessel(const VesselDescription &description,
                                     const FlowLaw &flow_law,

@@ -74,6 +74,9 @@ public:
   {
     return 0.5 * (pressures[cell] + pressures[cell + 1]);
   }
+  /// What the memory of a cell takes from dQ/dt at an area [m^2], in the middle of the last step
+  /// [m^3/s^2].
+  double friction(unsigned int cell, double area) const;
 
 private:
   unsigned int n;

@@ -3,24 +3,13 @@
 
 #include <continua/theory/tube_chain.h>
 #include <continua/theory/tube_wave_problem.h>
+#include <continua/theory/wave_model.h>
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace Continua
 {
-/// What wave theory says at one station over time.
-struct WaveHistory
-{
-  std::vector<double> pressure;          ///< mean over the liquid's section [Pa]
-  std::vector<double> axis_pressure;     ///< [Pa]
-  std::vector<double> flow_rate;         ///< [m^3/s]
-  std::vector<double> wall_distension;   ///< change of the inner diameter [m]
-  std::vector<double> wall_shear_stress; ///< of the liquid on the wall, positive downstream [Pa]
-  std::vector<double> hoop_stress;       ///< mean over the wall's section [Pa]
-};
-
 /**
  * The linear waves of a liquid-filled tube in time, by a synthesis of the exact harmonic ones of
  * TubeChain. A tube that divides meets the admittances of its branches, and the traction there
@@ -31,7 +20,7 @@ struct WaveHistory
  * its largest value, or at twice the least ring frequency of a wall (half of it for the formulas of
  * a membrane), with a cosine taper.
  */
-class TubeWaveTheory
+class TubeWaveTheory : public WaveModel
 {
 public:
   using Complex = std::complex<double>;
@@ -57,11 +46,10 @@ public:
                    double end_time,
                    double spectral_tolerance);
 
-  /// The histories at the stations z [m] at these times [s]; of the tube of the problem itself (0)
-  /// or of a branch, counted from 1, each before those behind it.
+  WaveSource source() const override { return WaveSource::linear_theory(); }
   std::vector<WaveHistory> histories(const std::vector<double> &stations,
                                      const std::vector<double> &times,
-                                     unsigned int branch = 0) const;
+                                     unsigned int branch = 0) const override;
 
   double highest_frequency() const { return last_frequency; } ///< [Hz] kept of the spectrum
   double window() const { return period; }                    ///< [s]

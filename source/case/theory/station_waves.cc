@@ -4,10 +4,10 @@
 
 namespace Continua
 {
-StationHistories station_waves(const StationsProbe &probe,
-                               const TubeWaveTheory &theory,
-                               const TubeWaveCase &wave_case,
-                               const std::vector<double> &times)
+StationWaves station_waves(const StationsProbe &probe,
+                           const WaveModel &theory,
+                           const TubeWaveCase &wave_case,
+                           const std::vector<double> &times)
 {
   // Each station, and the sections of its pair where that is asked for.
   std::vector<double> places = probe.positions;
@@ -24,7 +24,8 @@ StationHistories station_waves(const StationsProbe &probe,
       for (double &value : *directed)
         value *= wave_case.direction();
   const unsigned int n_stations = probe.positions.size();
-  StationHistories histories(n_stations);
+  StationWaves result{StationHistories(n_stations), ""};
+  StationHistories &histories = result.histories;
   for (unsigned int s = 0; s < n_stations; ++s)
     for (const std::string &field : probe.fields)
     {
@@ -46,6 +47,9 @@ StationHistories station_waves(const StationsProbe &probe,
                                : field == "wall shear stress" ? wave.wall_shear_stress
                                                               : wave.hoop_stress);
     }
-  return histories;
+  for (const WaveHistory &wave : waves)
+    if (!wave.end.empty())
+      result.end = wave.end;
+  return result;
 }
 } // namespace Continua
