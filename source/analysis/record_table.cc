@@ -5,6 +5,7 @@
 #include <continua/postprocess/loop_record.h>
 #include <continua/postprocess/mass_record.h>
 #include <continua/postprocess/mesh_record.h>
+#include <continua/postprocess/network_record.h>
 #include <continua/postprocess/power_record.h>
 #include <continua/postprocess/residual_record.h>
 #include <continua/postprocess/step_record.h>
@@ -65,6 +66,18 @@ std::unique_ptr<Record<dim>> make_mass_record(const Case<dim> &input, const std:
   return std::make_unique<MassRecord<dim>>(input.communicator);
 }
 
+template <int dim>
+std::unique_ptr<Record<dim>> make_network_record(const Case<dim> &input, const std::string &)
+{
+  return std::make_unique<NetworkRecord<dim>>(input.communicator, input.network);
+}
+
+template <int dim>
+void name_network(const Case<dim> &input, QuantityNames &names)
+{
+  NetworkRecord<dim>::name_quantities(*input.network, names);
+}
+
 /// The record of a run that has one.
 template <int dim, typename Type>
 std::unique_ptr<Record<dim>> make_record(const Case<dim> &, const std::string &)
@@ -103,6 +116,8 @@ const std::vector<RecordRow<dim>> &record_table()
        { return input.problem.mesh_moves && !input.discretisation.is_cell_wise(); },
        make_mass_record<dim>, name_quantities_of<dim, MassRecord<dim>>,
        &OutputParameters::power_schedule, "mass.csv"},
+      {[](const Case<dim> &input) { return input.network != nullptr; }, make_network_record<dim>,
+       name_network<dim>, &OutputParameters::probe_schedule, "network.csv"},
       {nullptr, make_record<dim, LoopRecord<dim>>, name_quantities_of<dim, LoopRecord<dim>>,
        nullptr},
       {[](const Case<dim> &input)

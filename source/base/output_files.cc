@@ -48,6 +48,7 @@ const std::vector<std::string> &output_files()
                                                  "modes.csv",
                                                  "modulus.csv",
                                                  "network-vessels.csv",
+                                                 "network.csv",
                                                  "other-files.txt",
                                                  "parameters.prm",
                                                  "planar.csv",

@@ -214,17 +214,10 @@ void read_flow_rate(ParameterSection &section, BoundaryCondition &condition, uns
   condition.normal.along_normal = flow_rate;
 }
 
-/// What a resistance and a windkessel have in common.
-void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet &outlet)
+/// How a section is held before what is behind it.
+void read_coupling(ParameterSection &section, BoundaryCondition &condition, Outlet &outlet)
 {
   outlet.name = condition.name;
-  outlet.pressure_behind =
-      Waveform::read(section, "Pressure behind", Dimensions::pressure,
-                     "Pressure into which the outlet flows; a function of time alone.", false);
-  if (outlet.pressure_behind.depends_on_space())
-    section.refuse("Pressure behind", "depends on x, y or z",
-                   "Write it as a function of t: an outlet has one pressure");
-
   add_choice(section, "Coupling", outlet.coupling,
              {{"pressure", Outlet::Coupling::pressure}, {"flow", Outlet::Coupling::flow}},
              "How the section is held: pressure - one pressure acts on all of it, the "
@@ -251,6 +244,18 @@ void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet
   else if (section.given("Profile"))
     section.refuse("Profile", "with Coupling = pressure the velocity's distribution is free",
                    "Remove the entry, or set Coupling = flow");
+}
+
+/// What a resistance and a windkessel have in common.
+void read_outlet(ParameterSection &section, BoundaryCondition &condition, Outlet &outlet)
+{
+  outlet.pressure_behind =
+      Waveform::read(section, "Pressure behind", Dimensions::pressure,
+                     "Pressure into which the outlet flows; a function of time alone.", false);
+  if (outlet.pressure_behind.depends_on_space())
+    section.refuse("Pressure behind", "depends on x, y or z",
+                   "Write it as a function of t: an outlet has one pressure");
+  read_coupling(section, condition, outlet);
 }
 
 void read_resistance(ParameterSection &section, BoundaryCondition &condition, unsigned int)
@@ -287,6 +292,17 @@ void read_windkessel(ParameterSection &section, BoundaryCondition &condition, un
     outlet.initial_states = {compliance *
                              (initial_pressure - outlet.pressure_behind.initial_value(origin))};
   }
+  condition.outlet = std::make_shared<const Outlet>(outlet);
+}
+
+void read_network(ParameterSection &section, BoundaryCondition &condition, unsigned int)
+{
+  section.add("Node", condition.node,
+              "Of the section Network: the loose end of a vessel, which stands at this boundary. "
+              "What flows out of the body flows into it, and its pressure acts on the body.");
+  section.require("Node");
+  Outlet outlet;
+  read_coupling(section, condition, outlet);
   condition.outlet = std::make_shared<const Outlet>(outlet);
 }
 
@@ -403,6 +419,10 @@ const std::vector<Row> &table()
        "An outlet of a liquid into a resistance, behind which a compliance stores and a second "
        "resistance drains.",
        read_windkessel},
+      {BoundaryType::network, "network",
+       "An end of a liquid that goes on as a network of vessels in one dimension (section "
+       "Network), with the same pressure and flow rate on both sides.",
+       read_network},
       {BoundaryType::absorbing, "absorbing",
        "The end of a tube that goes on: the pressure follows the flow rate as its impedance says, "
        "so "

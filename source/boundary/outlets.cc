@@ -6,12 +6,9 @@
 
 namespace Continua
 {
-namespace
-{
-/// The part of the section that the mesh has.
 template <int dim>
-double fraction_of(const BoundaryCondition &condition,
-                   const dealii::Triangulation<dim> &coarse_mesh)
+double fraction_of_section(const BoundaryCondition &condition,
+                           const dealii::Triangulation<dim> &coarse_mesh)
 {
   if (dim == 2)
     return 1.;
@@ -25,6 +22,8 @@ double fraction_of(const BoundaryCondition &condition,
   }
 }
 
+namespace
+{
 void take_part(Outlet &outlet, const double fraction)
 {
   outlet.impedance.direct *= 1. / fraction;
@@ -54,11 +53,13 @@ std::vector<Outlet> make_outlets(const std::vector<BoundaryCondition> &condition
                     "Name the liquid's 'Region' and give the solid's part a condition of its own");
     outlets.push_back(*condition.outlet);
     outlets.back().conditions = {c};
-    take_part(outlets.back(), fraction_of(condition, coarse_mesh));
+    take_part(outlets.back(), fraction_of_section(condition, coarse_mesh));
   }
   return outlets;
 }
 
+template double fraction_of_section(const BoundaryCondition &, const dealii::Triangulation<2> &);
+template double fraction_of_section(const BoundaryCondition &, const dealii::Triangulation<3> &);
 template std::vector<Outlet> make_outlets(const std::vector<BoundaryCondition> &,
                                           ParameterSection,
                                           const dealii::Triangulation<2> &,

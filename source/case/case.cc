@@ -6,6 +6,7 @@
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/case/before_the_run/preflight_input.h>
+#include <continua/case/network_ends.h>
 #include <continua/case/periodic_loads.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/distortion.h>
@@ -279,6 +280,7 @@ void Case<dim>::read_boundaries(ParameterSection root)
                                boundary_regions, dim, problem.model == Model::axisymmetric);
   if (analysis.name == "harmonic")
     harmonic.read_phases(root, problem.conditions);
+  read_network_of_body(*this, root);
 }
 
 template <int dim>
@@ -296,6 +298,7 @@ void Case<dim>::prepare_loads(ParameterSection root)
                     problem.materials, {!in_time, time.end_time, time.time_step});
   problem.outlets = make_outlets(problem.conditions, root.subsection("Boundaries"), *triangulation,
                                  problem.materials);
+  add_network_outlet(*this);
   absorbing_ends.add(*this, root, restart);
 }
 

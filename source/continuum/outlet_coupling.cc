@@ -17,7 +17,7 @@ void OutletCoupling::initialise()
 {
   models.clear();
   for (const Outlet &outlet : problem.outlets)
-    models.emplace_back(outlet);
+    models.push_back(make_end_model(outlet));
   present_flow_rates_of_mesh.assign(present_flow_rates_of_mesh.size(), 0.);
   inputs_are_current = false;
 }
@@ -76,7 +76,7 @@ void OutletCoupling::build()
   responses.reinit(n, n);
   impedances.reinit(n, n);
   inputs_of_rhs.reinit(n, n);
-  for (Vector<double> *vector : {&outputs, &rhs, &inputs, &predicted})
+  for (Vector<double> *vector : {&outputs, &completed, &rhs, &inputs, &predicted})
     vector->reinit(n);
   sums.resize(2 * ports.size());
   pressures.resize(n);
@@ -165,14 +165,14 @@ void OutletCoupling::take_forces(const DistributedVector &momentum)
 void OutletCoupling::take_models(const bool changed)
 {
   for (unsigned int o = 0; o < models.size(); ++o)
-    for (unsigned int i = 0; i < models[o].n_ports(); ++i)
-      predicted[first_port[o] + i] = models[o].predicted_pressures()[i];
+    for (unsigned int i = 0; i < models[o]->n_ports(); ++i)
+      predicted[first_port[o] + i] = models[o]->predicted_pressures()[i];
   if (inputs_are_current && !changed)
     return;
   inputs_are_current = true;
   impedances = 0.;
   for (unsigned int o = 0; o < models.size(); ++o)
-    impedances.add(models[o].impedance(), 1., first_port[o], first_port[o]);
+    impedances.add(models[o]->impedance(), 1., first_port[o], first_port[o]);
   const unsigned int n = ports.size();
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
@@ -190,7 +190,7 @@ void OutletCoupling::take_models(const bool changed)
   inputs_of_rhs.gauss_jordan();
 }
 
-void OutletCoupling::add_responses(DistributedVector &velocity, DistributedVector &pressure)
+void OutletCoupling::solve_ports()
 {
   const unsigned int n = ports.size();
   for (unsigned int i = 0; i < n; ++i)
@@ -201,11 +201,33 @@ void OutletCoupling::add_responses(DistributedVector &velocity, DistributedVecto
         rhs[i] += impedances(i, j) * outputs[j];
   }
   inputs_of_rhs.vmult(inputs, rhs);
-  responses.vmult_add(outputs, inputs);
+  completed = outputs;
+  responses.vmult_add(completed, inputs);
   for (unsigned int i = 0; i < n; ++i)
   {
-    pressures[i] = ports[i].holds_flow ? outputs[i] : inputs[i];
-    flow_rates[i] = ports[i].holds_flow ? inputs[i] : outputs[i];
+    pressures[i] = ports[i].holds_flow ? completed[i] : inputs[i];
+    flow_rates[i] = ports[i].holds_flow ? inputs[i] : completed[i];
+  }
+}
+
+bool OutletCoupling::correct_models()
+{
+  bool changed = false;
+  for (unsigned int o = 0; o < models.size(); ++o)
+    changed = models[o]->correct(&flow_rates[first_port[o]]) || changed;
+  return changed;
+}
+
+void OutletCoupling::add_responses(DistributedVector &velocity, DistributedVector &pressure)
+{
+  solve_ports();
+  while (correct_models())
+  {
+    take_models(true);
+    solve_ports();
+  }
+  for (unsigned int i = 0; i < ports.size(); ++i)
+  {
     velocity.add(inputs[i], ports[i].velocity_response);
     pressure.add(inputs[i], ports[i].pressure_response);
   }
@@ -241,7 +263,7 @@ void OutletCoupling::couple(const Step &step,
     outputs[i] = sums[i];
   bool changed = false;
   for (unsigned int o = 0; o < models.size(); ++o)
-    changed = models[o].linearise(step, &sums[n + first_port[o]]) || changed;
+    changed = models[o]->linearise(step, &sums[n + first_port[o]]) || changed;
   take_models(changed);
   add_responses(velocity, pressure);
 }
@@ -299,6 +321,8 @@ void OutletCoupling::measure(const BalancedStep &iterate)
       if (!ports[i].holds_flow)
         responses(i, j) = *number;
   }
+  for (unsigned int o = 0; o < models.size(); ++o)
+    models[o]->linearise_about(&flow_rates[first_port[o]]);
   take_models(true);
   for (unsigned int i = 0; i < n; ++i)
   {
@@ -376,7 +400,7 @@ void OutletCoupling::predict(const Step &step, const DistributedVector &velocity
   const std::vector<double> flows = present_flow_rates(velocity_old);
   for (unsigned int o = 0; o < models.size(); ++o)
   {
-    OutletModel &model = models[o];
+    EndModel &model = *models[o];
     const unsigned int first = first_port[o];
     std::copy_n(&flows[first], model.n_ports(), &flow_rates[first]);
     if (model.linearise(step, &flows[first]))
@@ -394,7 +418,7 @@ void OutletCoupling::predict(const Step &step, const DistributedVector &velocity
 void OutletCoupling::finish_step(const Step &step)
 {
   for (unsigned int o = 0; o < models.size(); ++o)
-    models[o].advance(step, &flow_rates[first_port[o]]);
+    models[o]->advance(step, &flow_rates[first_port[o]]);
   for (unsigned int i = 0; i < ports.size(); ++i)
     present_flow_rates_of_mesh[i] = step.extrapolate
                                         ? 2. * flow_rates_of_mesh[i] - present_flow_rates_of_mesh[i]
@@ -405,7 +429,7 @@ void OutletCoupling::start_from_rest()
 {
   present_flow_rates_of_mesh.assign(ports.size(), 0.);
   for (unsigned int o = 0; o < models.size(); ++o)
-    models[o].start_from(&flow_rates[first_port[o]]);
+    models[o]->start_from(&flow_rates[first_port[o]]);
 }
 
 void OutletCoupling::couple_steady(const double time,
@@ -421,12 +445,12 @@ void OutletCoupling::couple_steady(const double time,
   for (unsigned int i = 0; i < n; ++i)
     outputs[i] = sums[i];
   bool changed = false;
-  for (OutletModel &model : models)
-    changed = model.linearise_steady(time) || changed;
+  for (const std::unique_ptr<EndModel> &model : models)
+    changed = model->linearise_steady(time) || changed;
   take_models(changed);
   add_responses(velocity, pressure);
   for (unsigned int o = 0; o < models.size(); ++o)
-    models[o].set_steady(&flow_rates[first_port[o]]);
+    models[o]->set_steady(&flow_rates[first_port[o]]);
 }
 
 void OutletCoupling::add_forces(const double factor, DistributedVector &forces) const
@@ -453,14 +477,14 @@ void OutletCoupling::power(std::vector<OutletPower> &of_outlets) const
   for (unsigned int i = 0; i < ports.size(); ++i)
     of_outlets[ports[i].outlet].leaving += pressures[i] * (flow_rates[i] + flow_rates_of_mesh[i]);
   for (unsigned int o = 0; o < models.size(); ++o)
-    of_outlets[o].stored = models[o].stored_power();
+    of_outlets[o].stored = models[o]->stored_power();
 }
 
 double OutletCoupling::energy() const
 {
   double sum = 0.;
-  for (const OutletModel &model : models)
-    sum += model.energy();
+  for (const std::unique_ptr<EndModel> &model : models)
+    sum += model->energy();
   return sum;
 }
 
@@ -471,7 +495,7 @@ std::vector<double> OutletCoupling::present_pressures(const double time,
   const std::vector<double> flows = present_flow_rates(velocity);
   for (unsigned int o = 0; o < models.size(); ++o)
   {
-    const std::vector<double> of_ports = models[o].present_pressures(time, &flows[first_port[o]]);
+    const std::vector<double> of_ports = models[o]->present_pressures(time, &flows[first_port[o]]);
     for (unsigned int i = 0; i < of_ports.size(); ++i)
       of_conditions[problem.outlets[o].conditions[i]] += of_ports[i];
   }
@@ -495,10 +519,18 @@ void OutletCoupling::add_present_forces(const double time,
   }
 }
 
+const Network *OutletCoupling::network()
+{
+  for (const std::unique_ptr<EndModel> &model : models)
+    if (const Network *const found = model->network())
+      return found;
+  return nullptr;
+}
+
 bool OutletCoupling::jumps(const double begin, const double end) const
 {
-  for (const OutletModel &model : models)
-    if (model.jumps(begin, end))
+  for (const std::unique_ptr<EndModel> &model : models)
+    if (model->jumps(begin, end))
       return true;
   return false;
 }
@@ -506,7 +538,7 @@ bool OutletCoupling::jumps(const double begin, const double end) const
 void OutletCoupling::visit(StateVisitor &visitor)
 {
   for (unsigned int o = 0; o < models.size(); ++o)
-    models[o].visit(visitor, o);
+    models[o]->visit(visitor, o);
   for (unsigned int i = 0; i < ports.size(); ++i)
     if (ports[i].moves_with_mesh)
       visitor.value({"flow of the mesh at port", i}, present_flow_rates_of_mesh[i]);

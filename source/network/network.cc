@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace Continua
@@ -97,7 +98,10 @@ void Network::solve_nodes(const bool at_end_of_step, const double length)
         loose.terminal.end_step();
       }
       else
+      {
         loose.first_inflow = inflow;
+        loose.first_pressure = loose.terminal.pressure();
+      }
     }
     for (Junction &junction : junctions)
       junction.solve();
@@ -143,6 +147,62 @@ void Network::step(const double length)
     }
   }
   ++steps;
+}
+
+const Network::Loose &Network::loose_end(const unsigned int node) const
+{
+  return *std::find_if(loose_ends.begin(), loose_ends.end(),
+                       [node](const Loose &loose) { return loose.node == node; });
+}
+
+double Network::end_area(const unsigned int node) const
+{
+  const EndWave &end = loose_end(node).terminal.end();
+  return end.of().end_state(end.at()).area;
+}
+
+double Network::end_stiffness(const unsigned int node) const
+{
+  const EndWave &end = loose_end(node).terminal.end();
+  return end.of().stiffness(end.at(), end_area(node));
+}
+
+double Network::largest_step() const
+{
+  double largest = std::numeric_limits<double>::infinity();
+  for (const Edge &edge : edges)
+    largest = std::min(largest, edge.vessel->largest_step());
+  return largest;
+}
+
+bool Network::advance_in(const double end_time, const unsigned int n_steps)
+{
+  const double begin = now, length = (end_time - begin) / n_steps;
+  for (Loose &loose : loose_ends)
+    loose.mean_pressure = 0.;
+  for (unsigned int i = 1; i <= n_steps; ++i)
+  {
+    if (length > largest_step())
+      return false;
+    step(length);
+    now = i < n_steps ? begin + i * length : end_time;
+    check_state();
+    for (Loose &loose : loose_ends)
+      loose.mean_pressure +=
+          0.5 * (loose.first_pressure + loose.terminal.pressure() - 2. * loose.mean_pressure) / i;
+  }
+  return true;
+}
+
+void Network::visit(StateNumbers &numbers)
+{
+  for (const Edge &edge : edges)
+    edge.vessel->visit(numbers);
+  for (Loose &loose : loose_ends)
+    loose.terminal.visit(numbers);
+  numbers.value(now);
+  numbers.value(entered);
+  numbers.value(steps);
 }
 
 void Network::advance(const double end_time, const double courant_number)

@@ -32,6 +32,29 @@ unsigned int NetworkParameters::node(const std::string &name) const
   return std::find(nodes.begin(), nodes.end(), name) - nodes.begin();
 }
 
+unsigned int NetworkParameters::n_ends(const unsigned int node) const
+{
+  unsigned int n = 0;
+  for (const VesselEntries &vessel : vessels)
+    for (const std::string &name : {vessel.from, vessel.to})
+      n += name == nodes[node] ? 1 : 0;
+  return n;
+}
+
+bool NetworkParameters::is_at_body(const std::string &name) const
+{
+  return std::find(nodes_at_body.begin(), nodes_at_body.end(), name) != nodes_at_body.end();
+}
+
+void NetworkParameters::refuse_times(const ParameterSection &section)
+{
+  for (const char *const key : {"Period", "Most beats", "Tolerance", "End time", "Output interval"})
+    if (section.given(key))
+      section.refuse(key, "the network at the end of a body goes on with the steps of the body",
+                     "Remove the entry; the sections Time, Periodic state and Output have the "
+                     "times of the run");
+}
+
 void NetworkParameters::check(ParameterSection section)
 {
   if (vessels.empty())
@@ -64,14 +87,17 @@ void NetworkParameters::check(ParameterSection section)
   check_ends();
   set_heights();
   check_stations(section);
-  check_times(section);
+  if (nodes_at_body.empty())
+    check_times(section);
 }
 
 void NetworkParameters::check_materials(const ParameterSection &section,
-                                        ParameterSection materials) const
+                                        ParameterSection materials,
+                                        const std::vector<std::string> &of_body) const
 {
   for (const std::string &name : materials.subsections())
-    if (std::none_of(vessels.begin(), vessels.end(),
+    if (std::find(of_body.begin(), of_body.end(), name) == of_body.end() &&
+        std::none_of(vessels.begin(), vessels.end(),
                      [&](const VesselEntries &vessel) { return vessel.material == name; }))
       materials.subsection(name).refuse(
           "", "no vessel has this material",
@@ -93,10 +119,6 @@ void NetworkParameters::check_materials(const ParameterSection &section,
 
 void NetworkParameters::check_ends()
 {
-  std::vector<unsigned int> n_ends(nodes.size(), 0);
-  for (const VesselEntries &vessel : vessels)
-    for (const std::string &name : {vessel.from, vessel.to})
-      ++n_ends[node(name)];
   std::vector<bool> has_terminal(nodes.size(), false);
   for (const TerminalEntries &terminal : terminals)
   {
@@ -104,8 +126,11 @@ void NetworkParameters::check_ends()
     if (number == nodes.size())
       terminal.refuse("no vessel starts or ends at a node '" + terminal.node + "'",
                       known_names(terminal.node, nodes, "nodes"));
-    if (n_ends[number] > 1)
-      terminal.refuse("at the node '" + terminal.node + "' " + std::to_string(n_ends[number]) +
+    if (is_at_body(terminal.node))
+      terminal.refuse("at the node '" + terminal.node + "' stands the body",
+                      "Remove the terminal, or name another node at the boundary of the body");
+    if (n_ends(number) > 1)
+      terminal.refuse("at the node '" + terminal.node + "' " + std::to_string(n_ends(number)) +
                           " vessels meet",
                       "Remove the terminal, or put it to a loose end");
     if (has_terminal[number])
@@ -116,7 +141,7 @@ void NetworkParameters::check_ends()
     for (const std::string key : {"From", "To"})
     {
       const std::string &name = key == "From" ? vessel.from : vessel.to;
-      if (n_ends[node(name)] == 1 && !has_terminal[node(name)])
+      if (n_ends(node(name)) == 1 && !has_terminal[node(name)] && !is_at_body(name))
         vessel.refuse(key,
                       "the vessel '" + vessel.name + "' has a loose end at the node '" + name + "'",
                       "Say in 'Terminals/" + name +
@@ -128,10 +153,12 @@ void NetworkParameters::check_ends()
 void NetworkParameters::set_heights()
 {
   heights.assign(nodes.size(), std::nan(""));
-  heights.front() = 0.;
+  heights[nodes_at_body.empty() ? 0 : node(nodes_at_body.front())] = 0.;
   double sum = 0.;
   for (const VesselEntries &vessel : vessels)
     sum += std::abs(vessel.rise);
+  // Networks at several ends of a body may meet in the body alone: each has its own zero.
+  std::vector<std::string> zeros = nodes_at_body;
   bool changed = true;
   while (changed)
   {
@@ -147,6 +174,12 @@ void NetworkParameters::set_heights()
       else
         from = to - vessel.rise;
     }
+    for (; !changed && !zeros.empty(); zeros.pop_back())
+      if (double &height = heights[node(zeros.back())]; std::isnan(height))
+      {
+        height = 0.;
+        changed = true;
+      }
   }
   for (const VesselEntries &vessel : vessels)
   {
@@ -169,7 +202,7 @@ void NetworkParameters::check_stations(ParameterSection &section)
   std::vector<std::string> names;
   for (const VesselEntries &vessel : vessels)
     names.push_back(vessel.name);
-  if (stations.empty())
+  if (stations.empty() && nodes_at_body.empty())
     section.refuse_missing("the network has no station where values are recorded",
                            "Write a section 'Stations' with a subsection for each station");
   for (Station &station : stations)
@@ -216,6 +249,11 @@ void NetworkParameters::check_times(const ParameterSection &section)
                          " s after which the table of the terminal '" + terminal.node +
                          "' repeats itself",
                      "Correct it, or the 'Table period' of the terminal");
+  check_elastances(whole);
+}
+
+void NetworkParameters::check_elastances(const double whole) const
+{
   for (const TerminalEntries &terminal : terminals)
     for (unsigned int i = 0; terminal.law.type == TerminalLaw::Type::heart && i <= n_samples; ++i)
     {

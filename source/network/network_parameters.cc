@@ -20,8 +20,11 @@ constexpr double pi = FlowLaw::pi;
 
 void NetworkParameters::read_liquid(ParameterSection &section)
 {
-  section.add("Density", liquid.density, Dimensions::density, "Of the liquid.", Range::positive());
-  section.add("Viscosity", liquid.viscosity, Dimensions::viscosity, "Of the liquid.",
+  section.add("Density", liquid.density, Dimensions::density,
+              "Of the liquid; at an end of a body by itself, and only, that of the body.",
+              Range::positive());
+  section.add("Viscosity", liquid.viscosity, Dimensions::viscosity,
+              "Of the liquid; at an end of a body by itself that of the body.",
               Range::not_negative());
   section.add("Profile exponent", liquid.profile_exponent, Dimensions::none,
               "zeta of the velocity over the section, 1 - (r/R)^zeta, for the friction: 2 is the "
@@ -165,7 +168,9 @@ void NetworkParameters::read(ParameterSection section)
   }
 }
 
-void NetworkParameters::read_materials(const ParameterSection &section, ParameterSection materials)
+void NetworkParameters::read_materials(const ParameterSection &section,
+                                       ParameterSection materials,
+                                       const std::vector<std::string> &of_body)
 {
   const std::vector<std::string> names = materials.subsections();
   for (VesselEntries &vessel : vessels)
@@ -195,7 +200,7 @@ void NetworkParameters::read_materials(const ParameterSection &section, Paramete
           "shear)");
     }
   }
-  check_materials(section, materials);
+  check_materials(section, materials, of_body);
 }
 
 unsigned int NetworkParameters::n_cells(const VesselEntries &vessel) const
@@ -246,7 +251,8 @@ std::unique_ptr<Vessel> NetworkParameters::make_vessel_of(const VesselEntries &e
       });
 }
 
-Network NetworkParameters::make() const
+Network
+NetworkParameters::make(const std::vector<std::function<double(double)>> &inflows_of_body) const
 {
   std::vector<Network::Edge> edges;
   for (const VesselEntries &vessel : vessels)
@@ -263,6 +269,14 @@ Network NetworkParameters::make() const
     if (!terminal.has_initial_pressure)
       laws[number].initial_pressure =
           initial_pressure - liquid.density * liquid.gravity * heights[number];
+  }
+  for (std::size_t i = 0; i < inflows_of_body.size(); ++i)
+  {
+    TerminalLaw &law = laws[node(nodes_at_body[i])];
+    law.type = TerminalLaw::Type::flow_rate;
+    law.value = inflows_of_body[i];
+    law.initial_pressure =
+        initial_pressure - liquid.density * liquid.gravity * heights[node(nodes_at_body[i])];
   }
   Network network(std::move(edges), laws);
   network.rest(initial_pressure);

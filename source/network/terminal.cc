@@ -40,6 +40,7 @@ Terminal::Terminal(Vessel &vessel, const Vessel::End end, const TerminalLaw &law
       law(law),
       heart(law.heart),
       compliance_pressure(law.initial_pressure),
+      pressure_of_stage(law.initial_pressure),
       last_pressure(law.initial_pressure)
 {
 }
@@ -205,6 +206,7 @@ double Terminal::solve(const bool at_end_of_step, const double time, const doubl
   if (law.type == TerminalLaw::Type::heart)
     heart.take(at_end_of_step, time, step, valve_is_open ? -outflow : 0.);
   last_outflow = outflow;
+  pressure_of_stage = values.pressure;
   last_pressure = values.pressure - 0.5 * wave.of().memory_pressure(wave.at());
   if (at_end_of_step)
     next_pressure = source + of_outflow * outflow;
@@ -218,5 +220,14 @@ void Terminal::end_step()
   if (law.type == TerminalLaw::Type::windkessel)
     compliance_pressure = next_pressure;
   heart.end_step();
+}
+
+void Terminal::visit(StateNumbers &numbers)
+{
+  numbers.value(valve_is_open);
+  for (double *const member : {&compliance_pressure, &next_pressure, &outflow_at_begin,
+                               &pressure_of_stage, &last_pressure, &last_outflow})
+    numbers.value(*member);
+  heart.visit(numbers);
 }
 } // namespace Continua

@@ -99,6 +99,20 @@ void Vessel::set_relaxation(const WallRelaxation &relaxation)
   past = std::make_unique<VesselMemory>(n_cells(), cell_length(), flow_law(), relaxation);
 }
 
+void Vessel::visit(StateNumbers &numbers)
+{
+  numbers.values(area);
+  numbers.values(flow);
+  for (EndStates &end : ends)
+    for (State *const state : {&end.trace, &end.state})
+    {
+      numbers.value(state->area);
+      numbers.value(state->flow);
+    }
+  if (past)
+    past->visit(numbers);
+}
+
 void Vessel::begin_step()
 {
   old_area = area;

@@ -69,6 +69,14 @@ void VesselMemory::rest(const std::vector<double> &flows)
   }
 }
 
+void VesselMemory::visit(StateNumbers &numbers)
+{
+  for (std::vector<States> *const list : {&branches, &modes})
+    for (States &states : *list)
+      numbers.values(states.now);
+  numbers.values(pressures);
+}
+
 void VesselMemory::begin_step()
 {
   for (std::vector<States> *const all : {&branches, &modes})

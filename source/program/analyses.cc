@@ -73,7 +73,7 @@ AnalysisRow row_of_periodic_response()
       "periodic response",
       "The state that periodic loads lead to after many periods, by its harmonics and without "
       "steps in time.",
-      {"Periodic response", "Periodic state", "Time"}, Motion::harmonic, true, false);
+      {"Periodic response", "Periodic state", "Time", "Network"}, Motion::harmonic, true, false);
   row.traits_2d.name_others = &Transient<2>::name_quantities;
   row.traits_3d.name_others = &Transient<3>::name_quantities;
   return row;
@@ -85,7 +85,7 @@ AnalysisRow row_of_pulse_response()
   AnalysisRow row = row_of_case<PulseResponse>(
       "pulse response",
       "Motion of a linear body from rest under loads that vary in time, without steps in time.",
-      {"Pulse response", "Time"}, Motion::harmonic, true, false);
+      {"Pulse response", "Time", "Network"}, Motion::harmonic, true, false);
   row.traits_2d.name_others = &Transient<2>::name_quantities;
   row.traits_3d.name_others = &Transient<3>::name_quantities;
   return row;
@@ -96,8 +96,8 @@ AnalysisRow row_of_theory()
 {
   AnalysisRow row = row_of_case<LinearWaveTheory>(
       "linear wave theory", "Linear waves of a tube at its stations, without a mesh.",
-      {"Time", "Periodic state", "Adaptivity", "Wave theory", "Exact solution"}, Motion::in_time,
-      false, false);
+      {"Time", "Periodic state", "Adaptivity", "Wave theory", "Network", "Exact solution"},
+      Motion::in_time, false, false);
   row.traits_2d.name_others = &Transient<2>::name_quantities;
   row.traits_3d.name_others = &Transient<3>::name_quantities;
   return row;
@@ -110,25 +110,25 @@ const AnalysisTable &analyses()
   static const AnalysisTable table(
       {row_of_case<Transient>("transient", "Steps through time.",
                               {"Time", "Steady", "Periodic state", "Adaptivity", "Wall directions",
-                               "Wave theory", "Exact solution"},
+                               "Wave theory", "Network", "Exact solution"},
                               Motion::in_time, true, true),
        row_of_case<Steady>(
            "steady",
            "State at rest: one solve for a body that is all solid or all fluid, steps to rest for "
            "a mixture.",
-           {"Steady", "Adaptivity", "Wall directions", "Exact solution"}, Motion::at_rest, true,
-           false),
+           {"Steady", "Adaptivity", "Wall directions", "Network", "Exact solution"},
+           Motion::at_rest, true, false),
        row_of_case<Modal>("modal", "Frequencies and shapes of a solid body's free vibrations.",
-                          {"Modal"}, Motion::vibrating, true, false),
+                          {"Modal", "Network"}, Motion::vibrating, true, false),
        row_of_case<Harmonic>("harmonic",
                              "Motion of a linear body at given frequencies: responses, impedances, "
                              "mean powers.",
-                             {"Harmonic", "Steady", "Wall directions"}, Motion::harmonic, true,
-                             false),
+                             {"Harmonic", "Steady", "Wall directions", "Network"}, Motion::harmonic,
+                             true, false),
        row_of_case<Resonances>("resonances",
                                "Frequencies, damping and shapes of the free motions of solids and "
                                "liquids together.",
-                               {"Resonances"}, Motion::harmonic, true, false),
+                               {"Resonances", "Network"}, Motion::harmonic, true, false),
        row_of_periodic_response(), row_of_pulse_response(), row_of_theory(),
        row_of_study<Comparison, ComparisonParameters>(
            "comparison",

@@ -61,6 +61,7 @@ enum class BoundaryType
   flow_rate,
   resistance,
   windkessel,
+  network,
   absorbing,
   roller,
   axis,
@@ -108,9 +109,11 @@ struct BoundaryCondition
   FlowPast past = FlowPast::at_rest;                 ///< of a womersley profile
   double period = 0.;                                ///< [s] of a periodic past
   /// Of an outlet, else null: what was read, for the whole tube. Without a port where the tube
-  /// itself has to tell the impedance (absorbing). Its pressure is no part of `normal`.
+  /// itself has to tell the impedance (absorbing), and of a
+  /// network. Its pressure is no part of `normal`.
   std::shared_ptr<const Outlet> outlet;
   AbsorbingEndParameters absorbing; ///< of Type = absorbing
+  std::string node;                 ///< of Type = network: of the network, at the boundary
   InflowPressure inflow_pressure = InflowPressure::static_pressure;
   /// Of a cavity: the volume that it encloses over the undeformed one [1], of time alone.
   Waveform volume_ratio = Waveform(1.);

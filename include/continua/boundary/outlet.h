@@ -6,16 +6,20 @@
 
 #include <complex>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace Continua
 {
+struct NetworkParameters;
+
 /**
  * An end of the body behind which something answers to what flows out: a resistance, a windkessel,
- * or the rest of a long tube. Each of its ports is one boundary condition of the problem (the
- * liquid's section, or the end of the wall), on whose faces the normal traction is -p n with one
- * pressure p for all of the port, and whose flow rate is Q = int U . n, out of the body.
+ * the rest of a long tube, or a network of vessels, which may stand at several ends. Each of its
+ * ports is one boundary condition of the problem (the liquid's section, or the end of the wall), on
+ * whose faces the normal traction is -p n with one pressure p for all of the port, and whose flow
+ * rate is Q = int U . n, out of the body.
  */
 struct Outlet
 {
@@ -37,6 +41,10 @@ struct Outlet
   Coupling coupling = Coupling::pressure;
   /// x_k of the first port at t = 0 [m^3], by term; empty is zero.
   std::vector<double> initial_states;
+  /// A network behind the ports, each of which stands at one of its nodes (nodes_at_body, in the
+  /// order of the ports). Null: what is behind them is the impedance.
+  std::shared_ptr<const NetworkParameters> network;
+  std::vector<double> fractions; ///< by port of a network: of the section that the mesh has [1]
   /// Whether it answers to what the flow rates differ by from those at the start of the run. A
   /// search for rest before that has the pressure behind it at the first port, whatever flows.
   bool counts_from_start = false;

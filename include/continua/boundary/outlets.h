@@ -10,6 +10,12 @@
 
 namespace Continua
 {
+/// The part of the section of a boundary that the mesh has [1]: of a disc around the x axis,
+/// else 1.
+template <int dim>
+double fraction_of_section(const BoundaryCondition &condition,
+                           const dealii::Triangulation<dim> &coarse_mesh);
+
 /**
  * The outlets of the conditions that name their impedance (resistance, windkessel), for the part of
  * the section that the mesh has: Q of a quarter of a tube is a quarter of the tube's, so that its

@@ -35,6 +35,8 @@
 
 namespace Continua
 {
+struct NetworkParameters;
+
 /// The entries at the top of a parameter file, which decide what else is read.
 struct GeneralParameters
 {
@@ -134,7 +136,9 @@ struct Case
   MeshExtent extent; ///< of the coarse mesh that a run has
   std::unique_ptr<dealii::parallel::TriangulationBase<dim>> triangulation; ///< coarse
   Problem problem;
-  PowerLaws power_laws;         ///< what the branches of `problem` come from in a run in time
+  PowerLaws power_laws; ///< what the branches of `problem` come from in a run in time
+  std::shared_ptr<const NetworkParameters>
+      network;                  ///< at ends of the body in a run in time, or null
   AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
   ModalParameters modal;
   HarmonicParameters harmonic; ///< of a harmonic analysis

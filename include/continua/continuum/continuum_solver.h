@@ -28,6 +28,8 @@
 
 namespace Continua
 {
+class Network;
+
 /// A field that can be probed or drawn, by the word of the parameter file.
 struct FieldComponent
 {
@@ -231,6 +233,10 @@ public:
   virtual unsigned int add_probe(const ProbeRequest<dim> &request) = 0;
   /// The values of all probes, in SI, on every rank.
   virtual void evaluate_probes(std::vector<double> &values) = 0;
+
+  /// The network of vessels at ends of the body in its present state, until the next step; null if
+  /// there is none.
+  virtual const Network *network() { return nullptr; }
 
   /// Of the last step; `relaxation`: with what relaxation turns into heat, which costs a product
   /// for each branch.

@@ -52,6 +52,7 @@ public:
   {
     return stepping.power_balance(relaxation);
   }
+  const Network *network() override { return stepping.network(); }
   Energy energy() override { return stepping.energy(); }
   double divergence() override;
   MotionExtremes motion_extremes() override;

@@ -2,14 +2,15 @@
 #define continua_continuum_outlet_coupling_h
 
 #include <continua/continuum/balanced_step.h>
+#include <continua/continuum/end_model.h>
 #include <continua/continuum/operators.h>
-#include <continua/continuum/outlet_model.h>
 #include <continua/continuum/power_balance.h>
 #include <continua/continuum/problem.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,12 +26,14 @@ namespace Continua
  * it gives back is its flow rate q . U. For a port that holds the flow rate Q it is the response to
  * the prescribed velocity phi Q, where the flow of phi is 1; what it gives back is its pressure by
  * virtual power, p = -phi . (A U + G p - f). With the inputs s, the outputs o = o0 + H s and the
- * models' p = p_plus + Z Q (OutletModel),
+ * models' p = p_plus + Z Q (EndModel),
  *
  *   [ I_p + I_Q H - Z (I_Q + I_p H) ] s = p_plus + (Z I_p - I_Q) o0,
  *
  * with I_p, I_Q ones at the ports of either kind. H and the responses belong to the factor of the
- * step's matrix and are made when that is; a step adds one sum over the ranks and no solve.
+ * step's matrix and are made when that is; a step adds one sum over the ranks and no solve. Where a
+ * model is not linear (a network) the small system is solved again with the p_plus and Z about the
+ * flow rates that were found, until these stay: still without a solve of the body.
  *
  * On a mesh that moves q belongs to the present section and Q = q . (U - W), with the velocity W of
  * the mesh, but for absorbing ends, whose theory is linear: Q = q . U. There the pressures are a
@@ -123,6 +126,8 @@ public:
   /// Adds the forces of these pressures at ports whose traction is given [N].
   void
   add_present_forces(double time, const DistributedVector &velocity, DistributedVector &forces);
+  /// The network at ends of the body in its present state, or null.
+  const Network *network();
   /// Whether the pressure behind an outlet jumps between the two times [s].
   bool jumps(double begin, double end) const;
 
@@ -149,11 +154,11 @@ private:
   const Problem &problem;
   Operators &operators;
   std::vector<Port> ports;
-  std::vector<unsigned int> first_port;     ///< by outlet
-  std::vector<OutletModel> models;          ///< by outlet
-  dealii::FullMatrix<double> responses;     ///< H
-  dealii::FullMatrix<double> impedances;    ///< Z of the step
-  dealii::FullMatrix<double> inputs_of_rhs; ///< inverse of the matrix above
+  std::vector<unsigned int> first_port;          ///< by outlet
+  std::vector<std::unique_ptr<EndModel>> models; ///< by outlet
+  dealii::FullMatrix<double> responses;          ///< H
+  dealii::FullMatrix<double> impedances;         ///< Z of the step
+  dealii::FullMatrix<double> inputs_of_rhs;      ///< inverse of the matrix above
   bool inputs_are_current = false;
   std::vector<double> pressures, flow_rates; ///< by port, at the balanced level [Pa], [m^3/s]
   std::vector<double> flow_rates_of_mesh;    ///< q . W, which is no part of them [m^3/s]
@@ -162,7 +167,7 @@ private:
   // Work space of the step.
   std::vector<double> sums;
   DistributedVector section;
-  dealii::Vector<double> outputs, rhs, inputs, predicted;
+  dealii::Vector<double> outputs, completed, rhs, inputs, predicted;
 
   static Sparse sparse(const DistributedVector &vector);
   static double product(const Sparse &sparse, const DistributedVector &vector);
@@ -176,8 +181,11 @@ private:
                 const DistributedVector &pressure) const;
   /// Takes Z and the predicted pressures of the models; `changed`: whether any Z has.
   void take_models(bool changed);
-  /// Solves for the ports' pressures and flow rates, of outputs and predicted pressures, and adds
-  /// the responses.
+  /// Solves for the ports' pressures and flow rates, of outputs and predicted pressures.
+  void solve_ports();
+  /// Linearises the models about the flow rates; whether that has changed anything.
+  bool correct_models();
+  /// The same until nothing changes, and adds the responses.
   void add_responses(DistributedVector &velocity, DistributedVector &pressure);
 };
 } // namespace Continua

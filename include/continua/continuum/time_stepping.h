@@ -53,6 +53,7 @@ public:
   void return_to_kept_state();
   bool data_jumps(double begin, double end) const;
 
+  const Network *network() { return outlets.network(); }
   PowerBalance power_balance(bool relaxation);
   Energy energy();
   /// Call before the first step if forces_at_nodes() will be asked for, of the body and of these

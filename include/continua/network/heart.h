@@ -1,6 +1,8 @@
 #ifndef continua_network_heart_h
 #define continua_network_heart_h
 
+#include <continua/network/state_numbers.h>
+
 #include <functional>
 
 namespace Continua
@@ -43,6 +45,12 @@ public:
     return pressure(at_end_of_step, time, step, 0.).value > outside;
   }
   double valve_resistance() const { return law.valve_resistance; }
+  /// Hands over what a step changes.
+  void visit(StateNumbers &numbers)
+  {
+    for (double *const member : {&now, &next, &outflow_at_begin, &filling_at_begin})
+      numbers.value(*member);
+  }
 
 private:
   Law law;

@@ -42,12 +42,30 @@ public:
   /// StepFailure with time, vessel and place.
   void advance(double end_time, double courant_number);
 
+  // At the ends of a body.
+  /// With a Courant number of 1 from the present state [s].
+  double largest_step() const;
+  /// Goes on to a time [s] in equal steps of this number. False if one of them is longer than
+  /// largest_step() allows: the state is none then. Throws StepFailure.
+  [[nodiscard]] bool advance_in(double end_time, unsigned int n_steps);
+  /// Of the loose end at a node: its pressure [Pa] in the last stage, and its mean over the time of
+  /// the last advance_in().
+  double end_pressure(unsigned int node) const { return loose_end(node).terminal.pressure(); }
+  double mean_pressure(unsigned int node) const { return loose_end(node).mean_pressure; }
+  /// At that loose end: the area [m^2], and dp/dA there [Pa/m^2].
+  double end_area(unsigned int node) const;
+  double end_stiffness(unsigned int node) const;
+  /// Hands over what a step changes.
+  void visit(StateNumbers &numbers);
+
 private:
   struct Loose
   {
     Terminal terminal;
     double first_inflow;
     unsigned int node;
+    double first_pressure = 0.; ///< in the first stage [Pa]
+    double mean_pressure = 0.;  ///< over the steps of advance_in() [Pa]
   };
   std::vector<Edge> edges;
   std::vector<Loose> loose_ends;
@@ -56,6 +74,7 @@ private:
   double now = 0., entered = 0.;
   unsigned int steps = 0;
 
+  const Loose &loose_end(unsigned int node) const;
   void step(double length);
   /// The implicit stage of vessels with a memory.
   void solve_memory(bool at_end_of_step, double length);

@@ -7,6 +7,7 @@
 #include <continua/network/vessel_entries.h>
 #include <continua/theory/korteweg.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,19 +47,34 @@ struct NetworkParameters
   std::vector<TerminalEntries> terminals;
   std::vector<Station> stations;
   std::vector<std::string> nodes; ///< in the order in which the vessels name them
+  /// Loose ends at which a body stands; to be set before check(). The steps and times of such a
+  /// network are those of the run of the body.
+  std::vector<std::string> nodes_at_body;
 
   /// Declares and reads. Throws InputError for what is wrong in an entry or a row.
   void read(ParameterSection section);
   /// The walls of vessels that name one of these materials. Throws InputError, also for an entry of
   /// `section` that then has no effect and for a material that no vessel names.
-  void read_materials(const ParameterSection &section, ParameterSection materials);
+  /// `of_body`: materials that are also those of a body.
+  void read_materials(const ParameterSection &section,
+                      ParameterSection materials,
+                      const std::vector<std::string> &of_body = {});
+  /// Refuses the entries of a run of the network alone, after read(). Throws InputError.
+  static void refuse_times(const ParameterSection &section);
   /// Numbers the nodes and the vessels of the stations. Throws InputError for what is no network:
   /// no vessel, a loose end without a terminal, a terminal at no loose end, parts that do not meet,
   /// heights that do not fit together, a station outside its vessel, times that are missing.
   void check(ParameterSection section);
+  /// Of hearts, which must be positive in a time [s]; check() does it where there is no body.
+  /// Throws InputError.
+  void check_elastances(double whole) const;
   /// The network in its state at rest. After check(). Throws std::domain_error if there is no such
   /// state.
-  Network make() const;
+  Network make() const { return make({}); }
+  /// The same, with the flow rates into the network [m^3/s], of time [s], at its nodes at a body.
+  Network make(const std::vector<std::function<double(double)>> &inflows_of_body) const;
+  unsigned int node(const std::string &name) const; ///< its number; nodes.size(): there is none
+  unsigned int n_ends(unsigned int node) const;     ///< of vessels at a node
   unsigned int n_cells(const VesselEntries &vessel) const;
   /// Of the records in a beat, or in the run.
   unsigned int n_intervals() const;
@@ -66,11 +82,13 @@ struct NetworkParameters
 private:
   std::vector<double> heights; ///< of the nodes [m]
 
-  unsigned int node(const std::string &name) const;
+  bool is_at_body(const std::string &node) const;
   void read_liquid(ParameterSection &section);
   void read_wall(ParameterSection &section);
   void read_times(ParameterSection &section);
-  void check_materials(const ParameterSection &section, ParameterSection materials) const;
+  void check_materials(const ParameterSection &section,
+                       ParameterSection materials,
+                       const std::vector<std::string> &of_body) const;
   void check_ends();
   void set_heights();
   void check_stations(ParameterSection &section);

@@ -67,6 +67,10 @@ public:
   const EndWave &end() const { return wave; }
   /// After the second stage.
   void end_step();
+  /// On the end, in the last stage [Pa].
+  double pressure() const { return pressure_of_stage; }
+  /// Hands over what a step changes.
+  void visit(StateNumbers &numbers);
 
 private:
   EndWave wave;
@@ -76,6 +80,7 @@ private:
   double compliance_pressure;   ///< at the begin of the step [Pa]
   double next_pressure = 0.;    ///< at its end
   double outflow_at_begin = 0.; ///< out of the network [m^3/s]
+  double pressure_of_stage;     ///< [Pa]
   /// Of an absorbing end in the last stage, with half the pressure of the memory [Pa], [m^3/s].
   double last_pressure, last_outflow = 0.;
 

@@ -127,6 +127,9 @@ public:
     return past ? past->pressure(end == End::start ? 0 : n_cells()) : 0.;
   }
 
+  /// Hands over what a step changes.
+  void visit(StateNumbers &numbers);
+
   /// The largest step [s] for a Courant number 1, also of the friction.
   virtual double largest_step() const = 0;
   /// Keeps the state as that of the begin of a step.

@@ -2,6 +2,7 @@
 #define continua_network_vessel_memory_h
 
 #include <continua/network/flow_law.h>
+#include <continua/network/state_numbers.h>
 #include <continua/network/wall_relaxation.h>
 
 #include <vector>
@@ -64,6 +65,8 @@ public:
   /// memory gives to those of the cells.
   void
   add(bool second, double step, double start_flow, double end_flow, std::vector<double> &flows);
+  /// Hands over what a step changes.
+  void visit(StateNumbers &numbers);
   /// Of a share of the modulus that acts at once in a step of `step` [s], for the speed of waves
   /// [1].
   double fast_share(double step) const;

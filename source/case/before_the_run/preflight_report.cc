@@ -210,6 +210,8 @@ void PreflightReport::report_tube_mesh(const double wavelength)
 
 void PreflightReport::report_outlet(const PreflightInput::End &end, const std::string &which)
 {
+  if (end.outlet->network)
+    return; // its impedance is that of all of its vessels
   if (end.outlet->impedance.n_ports() == 0)
   {
     add("reflection, " + which, 0., "1", "'" + end.boundary + "': the tube goes on");

@@ -196,6 +196,9 @@ FeatureGroup<dim> boundaries_as_features()
        of_boundary<dim>("windkessel", "Boundaries/<name>/Type = windkessel",
                         [](Input, Condition condition)
                         { return condition.type == BoundaryType::windkessel; }),
+       of_boundary<dim>("network at an end", "Boundaries/<name>/Type = network",
+                        [](Input, Condition condition)
+                        { return condition.type == BoundaryType::network; }),
        of_boundary<dim>("outlet that holds the flow rate", "Boundaries/<name>/Coupling = flow",
                         [](Input, Condition condition) {
                           return condition.outlet != nullptr &&

@@ -165,6 +165,10 @@ std::vector<Rule> rules_of_analyses()
        {"modal"},
        "an end that takes waves up has no vibrations that last",
        "Use 'free', 'roller' or 'fixed', or Analysis = transient"},
+      {{"network at an end"},
+       {"no steps in time"},
+       "a network goes on in time, in steps inside those of the body",
+       "Use 'resistance' or 'windkessel', or Analysis = transient"},
       {{"highest modes"},
        {"taylor hood"},
        "the highest modes of the finite elements are not sought: with an incompressible material "

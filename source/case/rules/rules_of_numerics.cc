@@ -13,6 +13,10 @@ std::vector<Rule> rules_of_cells()
   const FeatureNames without_equation_of_pressure = {"displacement form", "velocity form",
                                                      "explicit pressure form"};
   return {
+      {{"network at an end"},
+       {"cell-wise"},
+       "the cell-wise path has no network at an end",
+       "Set Discretisation = taylor hood, or Type = windkessel"},
       {{"support"},
        {"cell-wise"},
        "the cell-wise path has no supports",

@@ -1,0 +1,19 @@
+#ifndef continua_case_network_ends_h
+#define continua_case_network_ends_h
+
+#include <continua/case/case.h>
+
+namespace Continua
+{
+/// Reads the section Network of a run whose body stands at nodes of a network (Type = network): its
+/// liquid is that of the body. Throws InputError for what does not fit the body, and for a network
+/// without a body.
+template <int dim>
+void read_network_of_body(Case<dim> &input, ParameterSection root);
+
+/// Adds the outlet whose ports are the boundaries at the network. After set_flow_profiles().
+template <int dim>
+void add_network_outlet(Case<dim> &input);
+} // namespace Continua
+
+#endif

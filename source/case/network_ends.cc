@@ -1,0 +1,225 @@
+#include <continua/case/network_ends.h>
+
+#include <continua/base/joined.h>
+#include <continua/base/nearest_name.h>
+#include <continua/base/six_digits.h>
+#include <continua/boundary/outlets.h>
+#include <continua/network/network_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Continua
+{
+using namespace dealii;
+
+namespace
+{
+/// Of a section, over its extent: less is flat.
+constexpr double flatness = 1e-6;
+
+std::vector<unsigned int> conditions_at_network(const Problem &problem)
+{
+  std::vector<unsigned int> numbers;
+  for (unsigned int c = 0; c < problem.conditions.size(); ++c)
+    if (problem.conditions[c].type == BoundaryType::network)
+      numbers.push_back(c);
+  return numbers;
+}
+
+/// Whether a boundary lies in a plane that liquid can pass as through the section of a tube; in
+/// axisymmetry one across the axis.
+template <int dim>
+bool is_section(const Case<dim> &input, const BoundaryCondition &condition)
+{
+  std::vector<Point<dim>> points;
+  for (const auto &cell : input.triangulation->cell_iterators_on_level(0))
+    if (condition.region_ids.count(cell->material_id()) > 0)
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id)
+          for (unsigned int v = 0; v < cell->face(f)->n_vertices(); ++v)
+            points.push_back(cell->face(f)->vertex(v));
+  Tensor<1, dim> normal;
+  double extent = 0.;
+  for (const Point<dim> &point : points)
+    extent = std::max(extent, points.front().distance(point));
+  if (input.problem.model == Model::axisymmetric)
+    normal[0] = 1.;
+  else if constexpr (dim == 3)
+  {
+    // Of the largest triangle with the first edge that is long.
+    double largest = 0.;
+    for (const Point<dim> &second : points)
+      for (unsigned int i = 0; i < std::min<std::size_t>(points.size(), 64); ++i)
+      {
+        const Tensor<1, dim> across =
+            cross_product_3d(second - points.front(), points[i] - points.front());
+        if (across.norm() > largest)
+        {
+          largest = across.norm();
+          normal = across / across.norm();
+        }
+      }
+  }
+  else
+    return true;
+  return std::all_of(points.begin(), points.end(),
+                     [&](const Point<dim> &point)
+                     { return std::abs((point - points.front()) * normal) <= flatness * extent; });
+}
+
+/// What a boundary must be at which a network stands.
+template <int dim>
+void check_boundary(const Case<dim> &input,
+                    const BoundaryCondition &condition,
+                    const ParameterSection &section)
+{
+  for (const unsigned int region : condition.region_ids)
+    if (input.problem.materials[region].is_solid())
+      section.refuse("Type", "the boundary belongs to a solid, out of which nothing flows",
+                     "Name the liquid's 'Region' and give the solid's part a condition of its own");
+  if (!is_section(input, condition))
+    section.refuse("Type",
+                   input.problem.model == Model::axisymmetric
+                       ? "the boundary is no section across the axis, which a vessel could go on "
+                         "from"
+                       : "the boundary is not plane, and no section which a vessel could go on "
+                         "from",
+                   "Give an inlet or an outlet of the body this Type");
+}
+
+/// What a node must be at which a body stands.
+void check_node(const NetworkParameters &network,
+                const BoundaryCondition &condition,
+                const std::vector<std::string> &earlier,
+                const ParameterSection &section)
+{
+  std::vector<std::string> names;
+  for (const VesselEntries &vessel : network.vessels)
+    for (const std::string &name : {vessel.from, vessel.to})
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  if (std::find(names.begin(), names.end(), condition.node) == names.end())
+  {
+    const std::string nearest = nearest_name(condition.node, names);
+    section.refuse("Node", "no vessel starts or ends at a node '" + condition.node + "'",
+                   names.empty()     ? "Describe the vessels in the section Network"
+                   : nearest.empty() ? "The nodes are " + joined(names)
+                                     : "Did you mean '" + nearest + "'?");
+  }
+  unsigned int n_ends = 0;
+  for (const VesselEntries &vessel : network.vessels)
+    n_ends += (vessel.from == condition.node) + (vessel.to == condition.node);
+  if (n_ends > 1)
+    section.refuse("Node",
+                   "at the node '" + condition.node + "' " + std::to_string(n_ends) +
+                       " vessels meet, and a body stands at the loose end of one",
+                   "Put a short vessel between the body and this node");
+  if (std::find(earlier.begin(), earlier.end(), condition.node) != earlier.end())
+    section.refuse("Node", "another boundary stands at the node '" + condition.node + "'",
+                   "Name another node");
+}
+
+/// The liquid of the network is that of the body.
+template <int dim>
+void check_liquid(const Case<dim> &input,
+                  const NetworkParameters &network,
+                  const ParameterSection &section)
+{
+  for (const unsigned int c : conditions_at_network(input.problem))
+    for (const unsigned int region : input.problem.conditions[c].region_ids)
+    {
+      const double density = input.problem.materials[region].density;
+      if (std::abs(density - network.liquid.density) > 1e-9 * density)
+        section.refuse("Density",
+                       six_digits(network.liquid.density) + " kg/m^3 are not the " +
+                           six_digits(density) + " kg/m^3 of the liquid '" +
+                           input.problem.regions[region] + "' of the body",
+                       "Remove the entry, which by itself is that of the body");
+    }
+}
+} // namespace
+
+template <int dim>
+void read_network_of_body(Case<dim> &input, ParameterSection root)
+{
+  const std::vector<unsigned int> at_network = conditions_at_network(input.problem);
+  if (at_network.empty())
+  {
+    if (root.sets_in_subsection("Network"))
+      root.subsection("Network").refuse(
+          "", "no boundary of the body stands at a node of the network",
+          "Give a boundary Type = network with its Node, remove the section, or set Analysis = "
+          "nonlinear wave theory");
+    return;
+  }
+  if (input.problem.interior.starts_under_mean_loads)
+    root.subsection("Initial state")
+        .refuse("Type", "the mean state of a network is not known before the run",
+                "Set it to steady or given, or give the boundary Type = windkessel");
+  ParameterSection section = root.subsection("Network"), boundaries = root.subsection("Boundaries");
+  const auto network = std::make_shared<NetworkParameters>();
+  const BoundaryCondition &first = input.problem.conditions[at_network.front()];
+  const Material &liquid = input.problem.materials[*first.region_ids.begin()];
+  if (!liquid.is_solid())
+  {
+    network->liquid.density = liquid.density;
+    network->liquid.viscosity = liquid.shear.viscosity;
+  }
+  network->read(section);
+  NetworkParameters::refuse_times(section);
+  network->read_materials(section, root.subsection("Materials"), input.problem.regions);
+  for (const unsigned int c : at_network)
+  {
+    const BoundaryCondition &condition = input.problem.conditions[c];
+    const ParameterSection of_boundary = boundaries.subsection(condition.name);
+    check_boundary(input, condition, of_boundary);
+    check_node(*network, condition, network->nodes_at_body, of_boundary);
+    network->nodes_at_body.push_back(condition.node);
+  }
+  check_liquid(input, *network, section);
+  network->check(section);
+  network->check_elastances(input.time.end_time);
+  try
+  {
+    network->make();
+  }
+  catch (const std::domain_error &error)
+  {
+    section.refuse("Initial pressure", error.what(),
+                   "Give a pressure nearer to the Reference pressure, or a stiffer wall");
+  }
+  input.network = network;
+  for (const unsigned int c : at_network)
+  {
+    BoundaryCondition &condition = input.problem.conditions[c];
+    Outlet outlet = *condition.outlet;
+    outlet.network = network;
+    condition.outlet = std::make_shared<const Outlet>(outlet);
+  }
+}
+
+template <int dim>
+void add_network_outlet(Case<dim> &input)
+{
+  if (!input.network)
+    return;
+  Outlet outlet;
+  outlet.network = input.network;
+  for (const unsigned int c : conditions_at_network(input.problem))
+  {
+    BoundaryCondition &condition = input.problem.conditions[c];
+    outlet.name += (outlet.name.empty() ? "" : " and ") + condition.name;
+    outlet.coupling = condition.outlet->coupling;
+    outlet.conditions.push_back(c);
+    outlet.fractions.push_back(fraction_of_section(condition, *input.triangulation));
+  }
+  input.problem.outlets.push_back(outlet);
+}
+
+template void read_network_of_body(Case<2> &, ParameterSection);
+template void read_network_of_body(Case<3> &, ParameterSection);
+template void add_network_outlet(Case<2> &);
+template void add_network_outlet(Case<3> &);
+} // namespace Continua

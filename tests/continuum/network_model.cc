@@ -1,0 +1,271 @@
+// The network at ends of a body by itself: the impedance of a tube that goes on, a short vessel
+// before a windkessel against that windkessel, the common pressure and flow rate with a body that
+// is a resistance, volume, a state that is given back, parts of a section, and the way to rest.
+
+#include <continua/base/input_error.h>
+#include <continua/continuum/network_model.h>
+#include <continua/continuum/outlet_model.h>
+#include <continua/network/network_parameters.h>
+
+#include "../parameter_text.h"
+#include "../unit_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace test_of_network_model
+{
+namespace
+{
+using namespace Continua;
+
+constexpr double density = 1000., radius = 0.01, modulus = 4e5, thickness = 0.001, h = 1e-3;
+const double area = M_PI * radius * radius,
+             // Of a thin wall with Poisson's ratio 0.5 that is held along its axis.
+    speed = std::sqrt(modulus * thickness / (1.5 * radius * density)),
+             impedance = density * speed / area;
+
+std::string vessel(const std::string &name,
+                   const std::string &from,
+                   const std::string &to,
+                   const std::string &length)
+{
+  return "subsection " + name + "\nset From = " + from + "\nset To = " + to +
+         "\nset Length = " + length +
+         "\nset Radius at start = 10 mm\nset Wall thickness at start = 1 mm\n"
+         "set Young's modulus = 400 kPa\nend\n";
+}
+
+Outlet outlet_of(const std::vector<std::string> &nodes,
+                 const std::string &vessels,
+                 const std::string &terminals,
+                 const double fraction = 1.)
+{
+  ParameterFile file =
+      parameters_of("subsection Network\nset Density = 1000 kg/m^3\nset Viscosity = 0 Pa s\n"
+                    "set Cell length = 2.5 mm\nsubsection Vessels\n" +
+                    vessels + "end\nsubsection Terminals\n" + terminals + "end\nend\n");
+  const auto parameters = std::make_shared<NetworkParameters>();
+  ParameterSection section = file.root().subsection("Network");
+  parameters->nodes_at_body = nodes;
+  parameters->read(section);
+  parameters->read_materials(section, file.root().subsection("Materials"));
+  parameters->check(section);
+  Outlet outlet;
+  outlet.name = "end";
+  outlet.network = parameters;
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+  {
+    outlet.conditions.push_back(i);
+    outlet.fractions.push_back(fraction);
+  }
+  return outlet;
+}
+
+Step step_of(const std::string &scheme, const unsigned int i, const double size)
+{
+  if (scheme == "crank nicolson")
+    return crank_nicolson_step(i * size, size);
+  if (scheme == "backward differencing" && i > 0)
+    return backward_differencing_step(i * size, size, size, Update::implicit);
+  return euler_step(i * size, size, Update::implicit);
+}
+
+double pulse(const double time)
+{
+  const double end = 0.04;
+  return time > 0. && time < end ? 1e-7 * std::pow(std::sin(M_PI * time / end), 2) : 0.;
+}
+
+/// The pressure with the flow rate at the balanced level.
+double pressure_with(NetworkModel &model, const double flow_rate)
+{
+  while (model.correct(&flow_rate))
+  {
+  }
+  return model.predicted_pressures()[0] + model.impedance()(0, 0) * flow_rate;
+}
+
+/// A wave leaves into a tube that goes on: the pressure is its impedance times the flow rate.
+void tube_that_goes_on(const std::string &scheme, const double fraction)
+{
+  const Outlet outlet = outlet_of({"joint"}, vessel("tube", "joint", "end", "0.5 m"),
+                                  "subsection end\nset Type = absorbing\nend\n", fraction);
+  NetworkModel model(outlet);
+  double largest = 0., volume = 0.;
+  for (unsigned int i = 0; i < 50; ++i)
+  {
+    const Step step = step_of(scheme, i, h);
+    const double flow = fraction * pulse(step.balance_time);
+    model.linearise(step, nullptr);
+    const double pressure = pressure_with(model, flow);
+    largest = std::max(largest, std::abs(pressure * fraction / impedance - flow));
+    model.advance(step, &flow);
+    volume += flow * h / fraction;
+  }
+  const std::string name = scheme + (fraction == 1. ? "" : ", a quarter");
+  check::absolute(name + ": flow rate over the impedance", largest / (fraction * 1e-7), 0., 0.005);
+  check::relative(name + ": volume in the network", model.network()->inflow(), volume, 1e-12);
+}
+
+/// A body that is a pressure before a resistance, at a vessel of 1 mm before a windkessel: nearly
+/// the windkessel alone.
+void short_vessel()
+{
+  const double proximal = impedance, distal = 10. * impedance, compliance = 1e-8,
+               body = 2. * impedance;
+  const Outlet outlet =
+      outlet_of({"joint"}, vessel("tube", "joint", "end", "1 mm"),
+                "subsection end\nset Type = windkessel\nset Proximal resistance = " +
+                    std::to_string(proximal) + " Pa s/m^3\nset Distal resistance = " +
+                    std::to_string(distal) + " Pa s/m^3\nset Compliance = 1e-8 m^3/Pa\nend\n");
+  Outlet alone;
+  alone.name = "alone";
+  alone.conditions = {0};
+  alone.impedance = Impedance::windkessel(proximal, distal, compliance);
+  NetworkModel model(outlet);
+  OutletModel exact(alone);
+  double largest = 0., difference = 0., defect = 0., flow = 0., flow_alone = 0.;
+  unsigned int most = 0;
+  for (unsigned int i = 0; i < 200; ++i)
+  {
+    const Step step = crank_nicolson_step(i * h, h);
+    const double load = 100. * std::pow(std::sin(M_PI * step.balance_time / 0.2), 2);
+    model.linearise(step, &flow);
+    exact.linearise(step, &flow_alone);
+    unsigned int n = 0;
+    do
+    {
+      flow = (load - model.predicted_pressures()[0]) / (body + model.impedance()(0, 0));
+      ++n;
+    } while (model.correct(&flow));
+    flow_alone = (load - exact.predicted_pressures()[0]) / (body + exact.impedance()(0, 0));
+    const double pressure = load - body * flow;
+    defect = std::max(defect, std::abs(model.predicted_pressures()[0] +
+                                       model.impedance()(0, 0) * flow - pressure));
+    most = std::max(most, n);
+    largest = std::max(largest, std::abs(pressure));
+    difference = std::max(difference, std::abs(pressure - (load - body * flow_alone)));
+    model.advance(step, &flow);
+    exact.advance(step, &flow_alone);
+  }
+  check::absolute("a short vessel: difference from the windkessel", difference / largest, 0.,
+                  0.002);
+  check::absolute("a short vessel: pressure on both sides", defect / largest, 0., 1e-9);
+  check::is_true("a short vessel: at most five corrections", most <= 6);
+}
+
+class Numbers : public NumbersVisitor
+{
+public:
+  std::vector<double> kept;
+  bool gives = false;
+  std::size_t next = 0;
+
+private:
+  void take_levels(double *const present, double *, const std::size_t n) override
+  {
+    take_values(present, n);
+  }
+  void take_values(double *const numbers, const std::size_t n) override
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      if (gives)
+        numbers[i] = kept.at(next++);
+      else
+        kept.push_back(numbers[i]);
+  }
+};
+
+/// Both ends of a tube: what flows in at one flows out at the other after the time of the wave. A
+/// step that is undone leaves no trace.
+void loop()
+{
+  const Outlet outlet =
+      outlet_of({"first", "second"}, vessel("tube", "first", "second", "0.1 m"), "");
+  NetworkModel model(outlet);
+  double flows[2] = {0., 0.}, old[2] = {0., 0.};
+  const auto make_step = [&](const unsigned int i, const double size)
+  {
+    const Step step = crank_nicolson_step(i * h, size);
+    model.linearise(step, old);
+    // At the second end stands the impedance of the tube, so that nothing comes back.
+    for (unsigned int k = 0; k < 20; ++k)
+    {
+      flows[0] = pulse(step.balance_time);
+      const auto z = model.impedance();
+      flows[1] = -(model.predicted_pressures()[1] + z(1, 0) * flows[0]) / (impedance + z(1, 1));
+      if (!model.correct(flows))
+        break;
+    }
+    const auto z = model.impedance();
+    const double pressure =
+        model.predicted_pressures()[0] + z(0, 0) * flows[0] + z(0, 1) * flows[1];
+    model.advance(step, flows);
+    return pressure;
+  };
+  Numbers keep;
+  double back = 0., largest_out = 0., first_time = 0.;
+  for (unsigned int i = 0; i < 60; ++i)
+  {
+    if (i == 20)
+    {
+      model.visit(keep, 0);
+      first_time = make_step(i, 0.5 * h);
+      Numbers give;
+      give.kept = keep.kept;
+      give.gives = true;
+      model.visit(give, 0);
+      check::is_true("a step that is undone is made again to the last bit",
+                     make_step(i, 0.5 * h) == first_time);
+      give.next = 0;
+      model.visit(give, 0);
+    }
+    const double pressure = make_step(i, h);
+    back = std::max(back, std::abs(pressure - impedance * flows[0]));
+    largest_out = std::max(largest_out, -flows[1]);
+  }
+  check::absolute("a loop: nothing comes back", back / (impedance * 1e-7), 0., 0.01);
+  check::absolute("a loop: what flows in flows out", largest_out / 1e-7, 1., 0.02);
+}
+
+void towards_rest_and_failures()
+{
+  Outlet outlet = outlet_of({"joint"}, vessel("tube", "joint", "end", "0.5 m"),
+                            "subsection end\nset Type = closed\nend\n");
+  const auto under_pressure = std::make_shared<NetworkParameters>(*outlet.network);
+  under_pressure->initial_pressure = 1000.;
+  outlet.network = under_pressure;
+  NetworkModel model(outlet);
+  Step step = static_step(h, false);
+  step.load_factor = 0.4;
+  const double flow = 1e-6, none = 0.;
+  model.linearise(step, &flow);
+  check::relative("to rest: the pressure comes with the loads", model.predicted_pressures()[0],
+                  400., 1e-12);
+  check::absolute("to rest: no impedance", model.impedance()(0, 0), 0., 1e-15);
+  model.advance(step, &flow);
+  check::absolute("to rest: nothing flows in", model.network()->inflow(), 0., 1e-30);
+  step = crank_nicolson_step(0., h);
+  model.linearise(step, &none);
+  check::relative("at rest", pressure_with(model, 0.), 1000., 1e-13);
+  check::throws<RunError>(
+      "no steady flow", [&]() { model.linearise_steady(0.); },
+      "the network at 'end' has no steady flow of its own");
+  const double strong = -2. * area * speed;
+  check::throws<StepFailure>(
+      "a tube that closes", [&]() { model.correct(&strong); }, "of the vessel 'tube'");
+}
+} // namespace
+
+UNIT_TEST(network_model)
+{
+  for (const std::string scheme : {"euler", "backward differencing", "crank nicolson"})
+    tube_that_goes_on(scheme, 1.);
+  tube_that_goes_on("crank nicolson", 0.25);
+  short_vessel();
+  loop();
+  towards_rest_and_failures();
+}
+} // namespace test_of_network_model
