@@ -98,6 +98,23 @@ enum class Strategy
   automatic  ///< as UMFPACK itself decides
 };
 
+/// Whether there is an entry (j, i) for each (i, j): in one pass, since the rows of a column are
+/// sorted.
+bool has_symmetric_places(const Columns &matrix)
+{
+  std::vector<Index> next(matrix.starts.begin(), matrix.starts.end() - 1);
+  for (std::size_t column = 0; column < next.size(); ++column)
+    for (Index k = matrix.starts[column]; k < matrix.starts[column + 1]; ++k)
+    {
+      const Index row = matrix.rows[k];
+      Index &other = next[row];
+      if (other == matrix.starts[row + 1] || matrix.rows[other] != static_cast<Index>(column))
+        return false;
+      ++other;
+    }
+  return true;
+}
+
 std::array<double, UMFPACK_CONTROL> controls(const Strategy strategy)
 {
   std::array<double, UMFPACK_CONTROL> control;
@@ -125,7 +142,8 @@ struct UmfpackFactor::Analysis
   std::vector<int> rows;
   Strategy strategy;
   void *symbolic = nullptr;
-  /// Of the factor: what the symmetric strategy expects, then those of the first one.
+  /// Of the factor: what the symmetric strategy promises; with the other one those of the first
+  /// factor, 0 before there is one.
   double n_entries = 0.;
 
   Analysis(const Columns &matrix, const Strategy wanted)
@@ -238,15 +256,16 @@ void UmfpackFactor::factorize(const Triplets &matrix, const std::vector<int> &ow
   if (!analysis || !analysis->is_for(columns))
   {
     analysis = nullptr;
-    analysis = std::make_unique<Analysis>(columns, Strategy::symmetric);
+    analysis = std::make_unique<Analysis>(
+        columns, has_symmetric_places(columns) ? Strategy::symmetric : Strategy::automatic);
   }
   Numeric numeric;
   Index status = make_numeric(columns, analysis->symbolic, numeric);
   if (analysis->strategy == Strategy::symmetric &&
-      (status == UMFPACK_WARNING_singular_matrix ||
+      (status == UMFPACK_WARNING_singular_matrix || status == UMFPACK_ERROR_out_of_memory ||
        (status == UMFPACK_OK && numeric.n_entries() > most_growth * analysis->n_entries)))
   {
-    // Too few pivots on the diagonal.
+    // Too few pivots on the diagonal. A factor that grows may take all memory.
     numeric.free();
     analysis = nullptr;
     analysis = std::make_unique<Analysis>(columns, Strategy::automatic);

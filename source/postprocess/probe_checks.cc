@@ -216,7 +216,7 @@ void ProbeChecks<dim>::check_limits(const std::vector<BoundaryCondition> &condit
         "there is no field 'force': it is what a step in time leaves at what is held, and a "
         "shape of vibration or a motion in the frequency domain has no step",
         "Leave it out, or integrate the stress over the Boundary");
-  // Of probe.boundaries beside an probe.interface only what holds its first probe.region counts.
+  // Of boundaries beside an interface only what holds its first region counts.
   const std::set<unsigned int> of_regions =
       probe.place == Place::interface ? probe.request.region_ids : std::set<unsigned int>();
   for (const auto &[id, name] : probe.names_of_boundaries)

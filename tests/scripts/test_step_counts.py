@@ -92,7 +92,7 @@ class StepCounts(unittest.TestCase):
             command = [PROGRAM, os.path.join(ROOT, "parameter_files", "verification/cylinder-wake.prm"), "--output", output, "--set", "Time/End time=2 ms"]
             for key, value in WAKE.items():
                 command += ["--set", f"{key}={value}"]
-            subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             with open(os.path.join(output, "summary.json"), encoding="utf-8") as stream:
                 self.assertLess(json.load(stream)["factor entries"], 650000)
 

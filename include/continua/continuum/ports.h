@@ -3,6 +3,8 @@
 
 #include <continua/linear_algebra/distributed_vector.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace Continua
 {
 /// The sections of a body through which a flow rate is known: outlets, and inlets with a profile.
@@ -21,6 +23,7 @@ public:
                                       const DistributedVector & /*mesh_displacement*/,
                                       DistributedVector & /*flow*/)
   {
+    AssertThrow(false, dealii::ExcNotImplemented());
   }
   /// The velocity along x of the flow profile of a condition, of any size.
   virtual DistributedVector flow_profile(unsigned int condition) const = 0;

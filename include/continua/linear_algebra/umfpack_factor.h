@@ -8,13 +8,14 @@
 namespace Continua
 {
 /**
- * UMFPACK's L U with partial pivoting and scaled rows, on one rank. UMFPACK tries its orderings and
- * takes the best: with its symmetric strategy where the places of the entries are symmetric, even
- * if many entries of the diagonal are zero, such as those of an incompressible liquid's pressures;
- * its own strategy where a factor has `most_growth` times the entries that this promises. Of its
- * factor the two triangles are kept as PackedTriangle, and solved with here. The order is kept for
- * further matrices with entries at the same places, until a factor has `most_growth` times the
- * entries of the first one: trying the orderings takes as long as the numbers.
+ * UMFPACK's L U with threshold pivoting and scaled rows, on one rank. UMFPACK tries its orderings
+ * and takes the best: with its symmetric strategy where the places of the entries are symmetric,
+ * even if many entries of the diagonal are zero, such as those of an incompressible liquid's
+ * pressures; its own strategy where a factor has `most_growth` times the entries that this
+ * promises. Of its factor the two triangles are kept as PackedTriangle, and solved with here. The
+ * order is kept for further matrices with entries at the same places, until a factor has
+ * `most_growth` times the entries that the symmetric strategy promises or, with UMFPACK's own
+ * strategy, those of the first factor: trying the orderings takes as long as the numbers.
  *
  * Why: for 800 unknowns (40 x 10 cells, two unknowns each, 15 entries a row) a solve takes 18
  * microseconds; UMFPACK's own takes 63 and KLU's 60. With three unknowns a cell 48 against 124 and

@@ -24,7 +24,7 @@ namespace Continua
  * of a family: 0 - all alike, 1/3 - isotropic (Gasser, Ogden and Holzapfel, J. R. Soc. Interface 3
  * (2006) 15). k2 = 0 is the limit of fibres that do not stiffen.
  */
-class HolzapfelGasserOgden : public StrainLaw
+class HolzapfelGasserOgden final : public StrainLaw
 {
 public:
   /// mu and k1 [Pa], k2 [1], kappa [1] in [0, 1/3]; none is negative.

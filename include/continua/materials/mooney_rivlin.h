@@ -13,7 +13,7 @@ namespace Continua
  * invariants I1 = tr Bb and I2 = (I1^2 - tr Bb^2)/2 of Bb = J^-2/3 F F^T (Mooney, J. Appl. Phys. 11
  * (1940) 582; Rivlin, Phil. Trans. R. Soc. A 241 (1948) 379). mu2 = 0 is neo-Hookean.
  */
-class MooneyRivlin : public StrainLaw
+class MooneyRivlin final : public StrainLaw
 {
 public:
   /// mu1 and mu2 [Pa], neither negative.

@@ -9,7 +9,7 @@
 namespace Continua
 {
 /// tau = mu dev Bb, energy mu/2 (tr Bb - 3), Bb = J^-2/3 F F^T.
-class NeoHookean : public StrainLaw
+class NeoHookean final : public StrainLaw
 {
 public:
   /// mu [Pa], positive.

@@ -14,7 +14,7 @@ namespace Continua
  * lambda/2 tr^2(E) + mu E : E. Under strong compression it becomes unstable: its stress vanishes at
  * F = 0.
  */
-class SaintVenantKirchhoff : public StrainLaw
+class SaintVenantKirchhoff final : public StrainLaw
 {
 public:
   /// mu [Pa], positive, and Lame's lambda = K - 2/3 mu [Pa], finite.
