@@ -25,15 +25,24 @@ FreedomMatrix information_of(const FreedomColumns &columns)
   return result;
 }
 
-/// d ln C_jj of C = A^-1, for a change of A.
+/// d ln C_jj of C = A^-1 = (J^T J)^-1, for a change of A. The change is given in the orthonormal
+/// columns of J: as a change of A its errors would be enlarged by the condition of A, and those of
+/// a difference are not small then.
 std::vector<double> change_of_log_variances(const FreedomMatrix &covariance,
+                                            const FreedomColumns &short_columns,
                                             const FreedomMatrix &change)
 {
   std::vector<double> result(covariance.m(), 0.);
   for (unsigned int j = 0; j < covariance.m(); ++j)
-    for (unsigned int a = 0; a < covariance.m(); ++a)
-      for (unsigned int b = 0; b < covariance.m(); ++b)
-        result[j] -= covariance(j, a) * change(a, b) * covariance(b, j) / covariance(j, j);
+  {
+    std::vector<double> direction(change.m(), 0.);
+    for (unsigned int k = 0; k < change.m(); ++k)
+      for (unsigned int a = 0; a < covariance.m(); ++a)
+        direction[k] += short_columns[a][k] * covariance(a, j);
+    for (unsigned int k = 0; k < change.m(); ++k)
+      for (unsigned int l = 0; l < change.m(); ++l)
+        result[j] -= direction[k] * change(k, l) * direction[l] / covariance(j, j);
+  }
   return result;
 }
 
@@ -93,17 +102,20 @@ FreedomMatrix covariance_of_coefficients(const DataRecord &record)
   return result;
 }
 
-/// Adds what the noise of one record adds to the variances of the ln C_jj.
+/// Adds what the noise of one record adds to the variances of the ln C_jj. `white`: the record's
+/// rows of the orthonormal columns.
 void add_record_variance(std::vector<double> &variances,
                          const DataRecord &record,
                          const EstimatedNoise &estimated,
                          const FreedomColumns &white,
+                         const FreedomColumns &short_columns,
                          const FreedomMatrix &covariance,
                          const double n_taken)
 {
   if (estimated.deviation)
   {
-    const std::vector<double> change = change_of_log_variances(covariance, information_of(white));
+    const std::vector<double> change =
+        change_of_log_variances(covariance, short_columns, information_of(white));
     const double n_left = std::max(record.size() - n_taken, 1e-3);
     for (std::size_t j = 0; j < variances.size(); ++j)
       variances[j] += 2. / n_left * change[j] * change[j];
@@ -118,7 +130,8 @@ void add_record_variance(std::vector<double> &variances,
   std::vector<std::vector<double>> changes;
   for (unsigned int k = 0; k < estimated.n_coefficients; ++k)
     changes.push_back(change_of_log_variances(
-        covariance, derivative_of_information(record, coloured, k, !estimated.deviation)));
+        covariance, short_columns,
+        derivative_of_information(record, coloured, k, !estimated.deviation)));
   for (std::size_t j = 0; j < variances.size(); ++j)
     for (unsigned int k = 0; k < changes.size(); ++k)
       for (unsigned int l = 0; l < changes.size(); ++l)
@@ -132,15 +145,17 @@ std::vector<double> degrees_of_freedom_of_errors(const std::vector<DataRecord> &
                                                  const dealii::FullMatrix<double> &covariance)
 {
   std::vector<double> variances(columns.size(), 0.);
-  const std::vector<double> leverages = LeastSquaresFactor(columns).leverages();
+  const LeastSquaresFactor factor(columns);
+  const std::vector<double> leverages = factor.leverages();
   std::ptrdiff_t begin = 0;
   for (std::size_t r = 0; r < records.size(); ++r)
   {
     const std::ptrdiff_t end = begin + static_cast<std::ptrdiff_t>(records[r].size());
     FreedomColumns white;
-    for (const std::vector<double> &column : columns)
+    for (const std::vector<double> &column : factor.orthonormal_columns())
       white.emplace_back(column.begin() + begin, column.begin() + end);
-    add_record_variance(variances, records[r], estimated[r], white, covariance,
+    add_record_variance(variances, records[r], estimated[r], white, factor.short_columns(),
+                        covariance,
                         std::accumulate(leverages.begin() + begin, leverages.begin() + end, 0.));
     begin = end;
   }

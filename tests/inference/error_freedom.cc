@@ -30,6 +30,14 @@ UNIT_TEST(error_freedom)
   const DataRecord ten = uniform_record("ten", 0., std::vector<double>(10, 0.), 0.5);
   const DataRecord five = uniform_record("five", 0., std::vector<double>(5, 0.), 2.);
   check::relative("one record", of_mean({ten}, {{true, 0}}), 9., 1e-12);
+  // Two parameters that nearly trade off leave eight values.
+  std::vector<std::vector<double>> alike(2, std::vector<double>(10, 1.));
+  for (std::size_t i = 0; i < 10; ++i)
+    alike[1][i] += 1e-6 * static_cast<double>(i * i);
+  const std::vector<double> of_alike = degrees_of_freedom_of_errors(
+      {ten}, {{true, 0}}, alike, LeastSquaresFactor(alike).inverse_of_normal_matrix());
+  check::relative("nearly alike, first", of_alike[0], 8., 1e-8);
+  check::relative("nearly alike, second", of_alike[1], 8., 1e-8);
   check::is_true("known noise", std::isinf(of_mean({ten}, {{false, 0}})));
   // A weighted mean: shares a and 1 - a of the information, 10/0.25 and 5/4; as many values are
   // taken of each record.

@@ -28,6 +28,9 @@ public:
   double log_determinant() const;
   /// Columns of as many rows as the rank with the same J^T J.
   std::vector<std::vector<double>> short_columns() const;
+  /// Columns of length 1, at right angles to each other, of which those of J are sums with the
+  /// coefficients short_columns().
+  const std::vector<std::vector<double>> &orthonormal_columns() const { return left; }
   unsigned int rank() const { return singular_values.size(); }
 
 private:
