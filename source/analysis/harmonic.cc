@@ -2,7 +2,6 @@
 
 #include <continua/analysis/free_motions.h>
 #include <continua/analysis/harmonic_checks.h>
-#include <continua/analysis/rest_search.h>
 #include <continua/analysis/wave_number_table.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
@@ -83,36 +82,10 @@ void check_unit_load(const Case<dim> &input, ParameterSection root)
   if (found->normal.kind != BoundaryPart::Kind::traction)
     harmonic.refuse("Unit load at",
                     "the velocity along the normal is given at '" + name + "', not the pressure",
-                    "Leave the entry out, and give that boundary the velocity or flow rate 1");
-}
-
-/// About a body in finite deformation under the loads of the file. Throws InputError.
-template <int dim>
-void check_loaded(const Case<dim> &input, ParameterSection root)
-{
-  RestSearch<dim>::check(input, root, "use Analysis = transient");
-  ParameterSection harmonic = root.subsection("Harmonic");
-  if (input.harmonic.unit_load.empty())
-    harmonic.refuse("Unit load at",
-                    "in finite deformation the loads of the file are those of the state at rest, "
-                    "about which the motion is small, and none of them oscillates",
-                    "Give the name of the boundary whose pressure oscillates, or set Deformation = "
-                    "small");
-  if (!input.harmonic.field_frequencies.empty())
-    harmonic.refuse("Field frequencies",
-                    "about a state in finite deformation no fields of the motion are written",
-                    "Remove the entry, and give probes");
-  const std::vector<Material> &materials = input.problem.materials;
-  for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.has_unknown_pressure() &&
-        std::any_of(condition.region_ids.begin(), condition.region_ids.end(),
-                    [&](const unsigned int region) { return materials[region].is_solid(); }))
-      root.subsection("Boundaries")
-          .subsection(condition.name)
-          .refuse("Type",
-                  "a harmonic analysis about a state in finite deformation has no pressure on a "
-                  "solid that is unknown",
-                  "Use 'fixed', 'roller', 'free' or 'pressure' here, or Analysis = transient");
+                    input.problem.is_nonlinear()
+                        ? "Give the name of a boundary with a pressure or an outlet"
+                        : "Leave the entry out, and give that boundary the velocity or flow rate "
+                          "1");
 }
 
 /// Refuses a Phase of nothing.
@@ -141,31 +114,35 @@ template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   if (input.problem.is_nonlinear())
-    check_loaded(input, root);
+    check_loaded_state(input, root, another_way);
   else
     check_no_states(input.problem, root, another_way);
   check_harmonic_probes(input, root, another_way);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;
+  const std::string in_time =
+      input.problem.is_nonlinear()
+          ? "the loads are those of the state at rest about which the motion is small, and this "
+            "one depends on t"
+          : "a load of a harmonic analysis is an amplitude, and this one depends on t";
+  const std::string instead =
+      (input.problem.is_nonlinear() ? "Give its value in that state, or "
+                                    : "Give its amplitude, and a Phase if it has one, or ") +
+      std::string(another_way);
   bool is_loaded = false;
   for (const std::vector<Waveform> *const force : {&interior.body_force, &interior.acceleration})
     for (const Waveform &component : *force)
     {
       is_loaded = is_loaded || !component.is_zero();
       if (component.depends_on_time())
-        root.subsection("Body force")
-            .refuse("", "a load of a harmonic analysis is an amplitude, and this one depends on t",
-                    std::string("Give its amplitude, or ") + another_way);
+        root.subsection("Body force").refuse("", in_time, instead);
     }
   const bool has_body_force = is_loaded;
   for (const BoundaryCondition &condition : input.problem.conditions)
   {
     is_loaded = is_loaded || is_given(condition);
     if (is_in_time(condition))
-      root.subsection("Boundaries")
-          .subsection(condition.name)
-          .refuse("", "a load of a harmonic analysis is an amplitude, and this one depends on t",
-                  std::string("Give its amplitude, and a Phase if it has one, or ") + another_way);
+      root.subsection("Boundaries").subsection(condition.name).refuse("", in_time, instead);
   }
   if (!harmonic.unit_load.empty())
     check_unit_load(input, root);

@@ -1,11 +1,70 @@
 #include <continua/analysis/harmonic_checks.h>
 
+#include <continua/analysis/rest_search.h>
 #include <continua/continuum/field_list.h>
 
+#include <algorithm>
 #include <string>
 
 namespace Continua
 {
+namespace
+{
+/// What is shown about a state has the branches as they are in the state, not as the motion makes
+/// them. Throws InputError.
+template <int dim>
+void check_stresses_about_a_state(const Case<dim> &input, ParameterSection root)
+{
+  const std::vector<Material> &materials = input.problem.materials;
+  if (std::none_of(materials.begin(), materials.end(),
+                   [](const Material &material)
+                   { return material.is_solid() && material.relaxes(); }))
+    return;
+  for (const ProbeColumnName &column :
+       input.probes.expected_columns(field_names<dim>(input.problem)))
+  {
+    ParameterSection probe = root.subsection("Probes").subsection(column.probe);
+    // At stations it is the traction of the liquid.
+    const bool is_drag = column.field == "wall shear stress" && !probe.given("Stations");
+    if (is_drag || column.field.find("stress ") == 0 || column.field == "hoop stress")
+      probe.refuse("Fields",
+                   "about a state in finite deformation '" + column.field +
+                       "' is not there beside a solid that relaxes: the part of its branches is "
+                       "not known",
+                   "Ask for displacement, strain, velocity or pressure, or remove the branches");
+  }
+}
+
+/// Of the materials, outlets and steps to rest of such a body. Throws InputError.
+template <int dim>
+void check_loads_of_state(const Case<dim> &input, ParameterSection root, const std::string &remedy)
+{
+  const Problem &problem = input.problem;
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+    if (problem.materials[region].has_power_law())
+      root.subsection("Materials")
+          .subsection(problem.regions[region])
+          .refuse("Type",
+                  "the stress of this solid relaxes to zero, so that it has no state at rest about "
+                  "which the motion could be small",
+                  "Use Type = prony with a Young's modulus, set Deformation = small, or " + remedy);
+  for (const BoundaryCondition &condition : problem.conditions)
+    if (condition.outlet && !condition.outlet->initial_states.empty() &&
+        !problem.finds_unloaded_shape())
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Initial pressure",
+                  "the state about which the motion is small lasts, and a charge that drains does "
+                  "not",
+                  "Remove the entry, and give the 'Pressure behind' the outlet");
+  ParameterSection steady = root.subsection("Steady");
+  if (steady.given("Time of loads"))
+    steady.refuse("Time of loads",
+                  "the loads of the state about which the motion is small do not depend on time",
+                  "Remove the entry");
+}
+} // namespace
+
 template <int dim>
 void check_harmonic_probes(const Case<dim> &input, ParameterSection root, const std::string &remedy)
 {
@@ -52,6 +111,36 @@ void check_no_states(const Problem &problem, ParameterSection root, const std::s
 }
 
 template <int dim>
+void check_loaded_state(const Case<dim> &input, ParameterSection root, const std::string &remedy)
+{
+  check_loads_of_state(input, root, remedy);
+  RestSearch<dim>::check(input, root, remedy);
+  ParameterSection harmonic = root.subsection("Harmonic");
+  if (input.harmonic.unit_load.empty())
+    harmonic.refuse("Unit load at",
+                    "in finite deformation the loads of the file are those of the state at rest, "
+                    "about which the motion is small, and none of them oscillates",
+                    "Give the name of the boundary whose pressure oscillates, or set Deformation = "
+                    "small");
+  if (!input.harmonic.field_frequencies.empty())
+    harmonic.refuse("Field frequencies",
+                    "about a state in finite deformation no fields of the motion are written",
+                    "Remove the entry, and give probes");
+  const std::vector<Material> &materials = input.problem.materials;
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (condition.has_unknown_pressure() &&
+        std::any_of(condition.region_ids.begin(), condition.region_ids.end(),
+                    [&](const unsigned int region) { return materials[region].is_solid(); }))
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("Type",
+                  "a harmonic analysis about a state in finite deformation has no unknown pressure "
+                  "on a solid",
+                  "Use 'fixed', 'roller', 'free' or 'pressure' here, or " + remedy);
+  check_stresses_about_a_state(input, root);
+}
+
+template <int dim>
 std::unique_ptr<HarmonicSystem<dim>> harmonic_system_of(Run<dim> &run)
 {
   std::unique_ptr<HarmonicSystem<dim>> system = run.solver->harmonic_system();
@@ -64,6 +153,8 @@ std::unique_ptr<HarmonicSystem<dim>> harmonic_system_of(Run<dim> &run)
 
 template void check_harmonic_probes(const Case<2> &, ParameterSection, const std::string &);
 template void check_harmonic_probes(const Case<3> &, ParameterSection, const std::string &);
+template void check_loaded_state(const Case<2> &, ParameterSection, const std::string &);
+template void check_loaded_state(const Case<3> &, ParameterSection, const std::string &);
 template std::unique_ptr<HarmonicSystem<2>> harmonic_system_of(Run<2> &);
 template std::unique_ptr<HarmonicSystem<3>> harmonic_system_of(Run<3> &);
 } // namespace Continua

@@ -49,7 +49,8 @@ template <int dim>
 std::vector<std::complex<double>>
 probe_values(HarmonicSystem<dim> &system, Probes<dim> &probes, const HarmonicSolution &solution)
 {
-  if (const double part = system.part_for_differences(solution); part > 0.)
+  // What is no number is about a state, too, and makes no number of the response.
+  if (const double part = system.part_for_differences(solution); part != 0.)
   {
     // What the state itself has is no part of the response, which is a derivative.
     const auto derivative = [&](const std::complex<double> factor)

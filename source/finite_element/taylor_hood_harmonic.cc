@@ -109,7 +109,8 @@ void TaylorHoodHarmonic<dim>::show_sum(const std::vector<WeightedSolution> &part
     add(factor, solution.displacement, state.displacement);
     add(factor * solution.s, solution.displacement, state.velocity);
     add(factor, solution.pressure, state.pressure);
-    // The stress of a body under loads follows from its displacement.
+    // The stress of a body under loads follows from its displacement, but for that of branches:
+    // their metrics stay those of the state, and check_loaded_state() refuses such stresses.
     if (loaded)
       continue;
     const HarmonicCoefficients at_s = equations.coefficients(solution.s);

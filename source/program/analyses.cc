@@ -121,8 +121,8 @@ const AnalysisTable &analyses()
        row_of_case<Modal>("modal", "Frequencies and shapes of a solid body's free vibrations.",
                           {"Modal", "Network"}, Motion::vibrating, true, false),
        row_of_case<Harmonic>("harmonic",
-                             "Motion of a linear body at given frequencies: responses, impedances, "
-                             "mean powers.",
+                             "Motion at given frequencies, of a linear body or a small one about a "
+                             "loaded state: responses, impedances, mean powers.",
                              {"Harmonic", "Steady", "Wall directions", "Network"}, Motion::harmonic,
                              true, false),
        row_of_case<Resonances>("resonances",

@@ -28,6 +28,11 @@ void check_no_mean_pressure(const Problem &problem,
 /// the initial pressure of a windkessel.
 void check_no_states(const Problem &problem, ParameterSection root, const std::string &remedy);
 
+/// Refuses what a small motion about the state at rest under the loads of the file, in finite
+/// deformation, has not. Throws InputError.
+template <int dim>
+void check_loaded_state(const Case<dim> &input, ParameterSection root, const std::string &remedy);
+
 /// The system of a run that was initialised, its solver named in log.txt. Throws RunError where the
 /// discretisation has none, which a rule refuses before.
 template <int dim>

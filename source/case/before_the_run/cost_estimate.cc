@@ -101,6 +101,14 @@ double entries_per_unknown(const CostInput &input)
   return input.dim == 2 ? 20. : 90.;
 }
 
+/// Of the matrices that a harmonic analysis about a loaded state keeps of each cell, see
+/// LoadedCell: stiffness, mass, and that of a viscosity or of branches.
+double bytes_of_loaded_cells(const CostInput &input, const double n_cells)
+{
+  const double n_velocities = input.dim * std::pow(input.degree + 1., input.dim);
+  return 3. * sizeof(double) * n_velocities * n_velocities * n_cells;
+}
+
 /// As make_symmetric_factor() chooses.
 bool takes_cholmod(const CostInput &input, const double n_unknowns)
 {
@@ -196,7 +204,8 @@ CostEstimate::CostEstimate(const CostInput &input)
     set_up_time = assembly * microsecond * n_unknowns + input.n_factors * factor_time;
     if (input.is_nonlinear)
     {
-      const NewtonCounts &counts = input.to_rest               ? counts_to_rest
+      const bool goes_to_rest = input.to_rest || input.is_harmonic;
+      const NewtonCounts &counts = goes_to_rest                ? counts_to_rest
                                    : input.convects_explicitly ? counts_of_explicit_step
                                                                : counts_of_step;
       solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
@@ -208,12 +217,19 @@ CostEstimate::CostEstimate(const CostInput &input)
   if (input.is_harmonic)
   {
     // Complex numbers have twice the bytes; all entries of the matrix are on each rank.
+    // About a loaded state the matrix has both triangles, as its factor has them already.
+    const double triangles = input.is_nonlinear ? 2. : 1.;
     memory += size.n_factors * bytes_per_entry * factor_entries +
-              input.n_ranks * bytes_per_harmonic_entry * entries_per_unknown(input) * n_unknowns;
+              triangles * input.n_ranks * bytes_per_harmonic_entry * entries_per_unknown(input) *
+                  n_unknowns;
+    if (input.is_nonlinear)
+      memory += bytes_of_loaded_cells(input, n_cells);
+    // The search for this state is before the frequencies.
+    const double search_time = input.is_nonlinear ? set_up_time + solve_time : 0.;
     // Fitted to strips of 9,553 and 74,103 unknowns: 0.05 and 0.5 s a frequency, most of it the
     // factor.
     const double factor_time = 90. * nanosecond * factor_entries;
-    set_up_time = 5. * (is_plane ? 12. : 48.) * microsecond * n_unknowns;
+    set_up_time = 5. * (is_plane ? 12. : 48.) * microsecond * n_unknowns + search_time;
     solve_time = factor_time + 8. * nanosecond * factor_entries;
   }
   memory += input.n_ranks * memory_of_program;

@@ -23,8 +23,14 @@ namespace
 constexpr double largest_difference = 1e-4;
 /// Of a liquid at rest, over the speed sqrt(p/rho) of its pressure.
 constexpr double largest_speed = 1e-4;
+/// Of the pressures of solids, whose round-off after a search for rest the liquids have, too: it
+/// counts in the place of the pressure of a liquid that has less.
+constexpr double part_of_solids = 1e-3;
 /// So short that what grows with it is nothing beside what does not [s].
 constexpr double no_time = 1e-100;
+constexpr const char *same_pressures =
+    "give the pressures at its ends, those behind its outlets, and the Mean pressure of its "
+    "absorbing ends the same value";
 
 using Masters = std::vector<std::pair<int, double>>;
 
@@ -206,8 +212,9 @@ void LoadedCells<dim>::take_liquid_pressures(const LoadedState &at_rest)
     for (const int place : cell.at->pressure_places)
     {
       const double value = pressure.begin()[place];
-      largest = std::max(largest, std::abs(value));
-      if (problem.materials[cell.at->region].is_solid())
+      const bool is_solid = problem.materials[cell.at->region].is_solid();
+      largest = std::max(largest, (is_solid ? part_of_solids : 1.) * std::abs(value));
+      if (is_solid)
         continue;
       least[cell.at->region] = std::min(least[cell.at->region], value);
       most[cell.at->region] = std::max(most[cell.at->region], value);
@@ -227,8 +234,8 @@ void LoadedCells<dim>::take_liquid_pressures(const LoadedState &at_rest)
       text << "the pressure of the liquid '" << problem.regions[region]
            << "' is not uniform in the state about which the motion is small: it is between "
            << least[region] << " and " << most[region]
-           << " Pa. The liquid flows there, or has a weight; give the pressures at its ends, and "
-              "those behind its outlets, the same value";
+           << " Pa. The liquid flows there, has a weight, or fills vessels of different pressures; "
+           << same_pressures << ", and each vessel a region of its own";
       throw RunError(text.str());
     }
     liquid_pressures[region] = 0.5 * (least[region] + most[region]);
@@ -257,7 +264,7 @@ void LoadedCells<dim>::refuse_streams(const DistributedVector &of_state,
     std::ostringstream text;
     text << "the liquid '" << problem.regions[region]
          << "' flows in the state about which the motion is small, with up to " << largest
-         << " m/s; give the pressures at its ends, and those behind its outlets, the same value";
+         << " m/s; " << same_pressures;
     throw RunError(text.str());
   }
 }

@@ -14,7 +14,8 @@ struct HarmonicCoefficients
   std::vector<Complex> stiffness;       ///< mu*(s) [Pa]
   std::vector<Complex> compressibility; ///< 1/K*(s) [1/Pa]
   /// Of a body under loads, see LoadedBody, whose stiffness above is that of its branches, and
-  /// whose parts of mass and compression have density and modulus: s [1/s]. Else empty.
+  /// whose parts of mass and compression have density and modulus: s [1/s]. Else empty. Its mass
+  /// above is s^2 [1/s^2], and its compressibility is empty.
   std::vector<Complex> viscosity;
   Complex support_stiffness = 1., support_damping = 0.; ///< [1], s [1/s]
 };

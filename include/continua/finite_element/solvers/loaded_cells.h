@@ -34,7 +34,8 @@ enum class LoadedPart
 };
 
 /// One matrix a part. Velocities come first in the stiffness, and its rows of volume are multiplied
-/// by -1; the others have velocities alone, or are empty.
+/// by -1; the others have velocities alone, or are empty. Between velocities stiffness [N/m], mass
+/// [kg], viscosity [N s/m] and relaxation, which is that of the branches over their modulus [m].
 template <int dim>
 struct LoadedCell
 {
@@ -85,7 +86,7 @@ private:
                   MetricHistory<dim> *metrics,
                   const LoadedState &at_rest);
   void take_liquid_pressures(const LoadedState &at_rest);
-  /// `largest_pressure` [Pa]: of all regions.
+  /// `largest_pressure` [Pa]: of the liquids, see take_liquid_pressures().
   void refuse_streams(const DistributedVector &of_state, double largest_pressure) const;
   /// To each solid the pressure of the liquids on its faces, which follows them.
   void add_pressures_of_liquids();
