@@ -137,6 +137,10 @@ void LinearWaveTheory<dim>::check_overlay(const Case<dim> &input, ParameterSecti
         .refuse("Far end", "theory beside a run must have the run's own far end",
                 "Leave the entry out, or set Analysis = linear wave theory");
   check_nonlinear_waves(input, root);
+  if (input.wave_theory.nonlinear && input.probes.stations().empty())
+    root.subsection("Wave theory")
+        .refuse("Nonlinear", "nonlinear wave theory has no station to speak of",
+                "Add a probe with Stations and Fields, or set Nonlinear = false");
 }
 
 template <int dim>

@@ -46,6 +46,14 @@ bool all_finite(const std::vector<double> &values)
   return std::all_of(values.begin(), values.end(),
                      [](const double value) { return std::isfinite(value); });
 }
+
+/// Whether a theory has values of this field and station, but not until the last time.
+bool has_ended(const WaveSource &source, const std::vector<double> &values)
+{
+  return !source.is_measured && !all_finite(values) &&
+         std::any_of(values.begin(), values.end(),
+                     [](const double value) { return std::isfinite(value); });
+}
 } // namespace
 
 WaveReport::WaveReport(const WaveStations &stations, const std::vector<double> &times)
@@ -330,14 +338,24 @@ void WaveReport::compare(const Data &a, const Data &b, Summary &summary) const
   for (unsigned int f = 0; f < stations.fields.size(); ++f)
   {
     double largest = 0., difference = 0.;
+    std::string ended;
     for (unsigned int s = 0; s < stations.positions.size(); ++s)
+    {
+      // What is left of it says nothing of the time behind its end.
+      for (const auto &[data, values] : {std::pair(&a, &first[s][f]), std::pair(&b, &second[s][f])})
+        if (has_ended(data->source, *values))
+          ended = data->source.name;
       for (std::size_t i = 0; i < times.size(); ++i)
         if (std::isfinite(second[s][f][i]) && std::isfinite(first[s][f][i]))
         {
           largest = std::max(largest, std::abs(second[s][f][i]));
           difference = std::max(difference, std::abs(first[s][f][i] - second[s][f][i]));
         }
-    if (largest > 0.)
+    }
+    if (!ended.empty())
+      summary.add_absence("largest difference of " + stations.fields[f] + suffix, stations.name,
+                          "the values of '" + ended + "' end before the run does");
+    else if (largest > 0.)
       summary.add({"largest difference of " + stations.fields[f] + suffix, difference / largest,
                    "1", stations.name});
   }

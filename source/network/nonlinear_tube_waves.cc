@@ -162,7 +162,8 @@ Network NonlinearTubeWaves::make() const
   }
   catch (const std::domain_error &)
   {
-    throw std::domain_error("has a wall that does not bear the mean pressure");
+    throw std::domain_error("has a wall that does not bear the mean pressure, or an area under "
+                            "it that is less than 1/81 or more than 3 times that of the mesh");
   }
   return network;
 }
@@ -222,6 +223,8 @@ std::vector<WaveHistory> NonlinearTubeWaves::histories(const std::vector<double>
       catch (const StepFailure &error)
       {
         end = error.what();
+        if (settings.mean_pressure != 0.)
+          end += ". Pressures count from the mean pressure";
       }
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t s = 0; s < stations.size(); ++s)

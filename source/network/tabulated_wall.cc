@@ -11,35 +11,48 @@ namespace Continua
 {
 namespace
 {
-/// Of the area over that without load [1].
-constexpr double smallest = 1. / 3., largest = 3.;
-constexpr unsigned int n_intervals = 160, place_of_rest = 40; // the area 1 is a point of the table
-constexpr double spacing = (largest - smallest) / n_intervals;
+/// Of the logarithm of the area over that of the mesh [1].
+constexpr double spacing = 1. / 80.;
+/// In the logarithm of 3.
+constexpr unsigned int n_of_three = 88;
+/// The area of the mesh is a point of the table. A ring that was opened is much smaller when it is
+/// closed: down to 1/81 of it.
+constexpr unsigned int place_of_mesh = 4 * n_of_three, n_intervals = place_of_mesh + n_of_three;
+
+double place_of(const unsigned int i)
+{
+  return spacing * (static_cast<double>(i) - static_cast<double>(place_of_mesh));
+}
 } // namespace
 
 TabulatedWall::TabulatedWall(const double area,
                              const std::function<double(double)> &pressure_of,
                              const double shift)
-    : area_without_load(area), shift(shift)
+    : mesh_area(area), shift(shift)
 {
   std::vector<double> all(n_intervals + 1, std::numeric_limits<double>::quiet_NaN());
   const auto set = [&](const unsigned int i)
   {
-    all[i] = pressure_of(std::sqrt(area * (smallest + i * spacing) / FlowLaw::pi));
+    all[i] = pressure_of(std::sqrt(area * std::exp(place_of(i)) / FlowLaw::pi));
     return all[i];
   };
-  set(place_of_rest);
-  // As far as the pressure rises, to both sides of the state without load.
-  unsigned int last = place_of_rest, first = place_of_rest;
+  set(place_of_mesh);
+  // As far as the pressure rises, to both sides of the state of the mesh, and to a third of the
+  // area at which the wall has no pressure.
+  unsigned int last = place_of_mesh, first = place_of_mesh, n_without_pressure = 0;
   while (last < n_intervals && set(last + 1) > all[last])
     ++last;
-  while (first > 0 && set(first - 1) < all[first])
+  while (first > 0 && n_without_pressure < n_of_three && set(first - 1) < all[first])
+  {
     --first;
+    if (all[first] <= 0.)
+      ++n_without_pressure;
+  }
   constexpr unsigned int fewest = 3; // for the slopes
-  if (last < place_of_rest + fewest || first + fewest > place_of_rest)
+  if (last < place_of_mesh + fewest || first + fewest > place_of_mesh)
     throw std::domain_error("gives way to any pressure");
   auto made = std::make_shared<Table>();
-  made->first = smallest + first * spacing;
+  made->first = place_of(first);
   made->pressures.assign(all.begin() + first, all.begin() + last + 1);
   const std::vector<double> &p = made->pressures;
   const std::size_t n = p.size();
@@ -61,7 +74,7 @@ TabulatedWall::TabulatedWall(const double area,
                              const TabulatedWall &first,
                              const TabulatedWall &second,
                              const double share)
-    : area_without_load(area), shift(first.shift)
+    : mesh_area(area), shift(first.shift)
 {
   // Where both have values.
   const Table &a = *first.table, &b = *second.table;
@@ -91,13 +104,13 @@ PressureAndStiffness TabulatedWall::in_interval(const std::size_t i, const doubl
 
 PressureAndStiffness TabulatedWall::both(const double area) const
 {
-  const double place = (area / area_without_load - table->first) / spacing;
+  const double place = (std::log(area / mesh_area) - table->first) / spacing;
   const std::size_t last = table->pressures.size() - 1;
   if (!(place >= 0. && place <= static_cast<double>(last)))
     return {std::nan(""), std::nan("")};
   const std::size_t i = std::min(static_cast<std::size_t>(place), last - 1);
   const PressureAndStiffness values = in_interval(i, place - static_cast<double>(i));
-  return {values.pressure + shift, values.stiffness / area_without_load};
+  return {values.pressure + shift, values.stiffness / area};
 }
 
 double TabulatedWall::area(const double wanted, const double /*start*/) const
@@ -124,6 +137,6 @@ double TabulatedWall::area(const double wanted, const double /*start*/) const
     if (change < tolerance)
       break;
   }
-  return area_without_load * (table->first + (static_cast<double>(i) + t) * spacing);
+  return mesh_area * std::exp(table->first + (static_cast<double>(i) + t) * spacing);
 }
 } // namespace Continua

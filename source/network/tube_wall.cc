@@ -139,6 +139,14 @@ void TubeWall::check_finite() const
                             "that of one which is held");
   if (section.radial_stiffness != 0. || section.radial_damping != 0.)
     throw std::domain_error("has a support around a wall of finite strain");
+  // The branches of a vessel are of the stiffness of its wall law. Those of a layer are of its
+  // matrix without stress, which is another stiffness where fibres or a prestretch bear the load.
+  for (const Material &layer : section.layers)
+    if (!relaxing.is_elastic() &&
+        (layer.strain_law_parameters.has_fibres() || layer.prestretch.exists()))
+      throw std::domain_error(
+          "has a wall with fibres or a prestretch that relaxes, and the branches "
+          "of a vessel are of the stiffness of the whole wall");
   bool all_linear = true, all_incompressible = true;
   for (const Material &layer : section.layers)
   {
@@ -217,9 +225,16 @@ double TubeWall::hoop_stress(const double pressure, const double inner_radius) c
 {
   if (!is_finite())
     return wall_share * pressure * section.inner_radius / section.wall_thickness();
-  return pressure * inner_radius /
-         (std::sqrt(inner_radius * inner_radius + section.wall_area() / FlowLaw::pi) -
-          inner_radius);
+  // As LoadedTube::outer_radius(), of all laws: with a prestretch the section is not that of the
+  // mesh.
+  double squared = inner_radius * inner_radius, inner = section.inner_radius;
+  for (std::size_t i = 0; i < section.layers.size(); ++i)
+  {
+    const double thickness = section.layer_thicknesses[i];
+    squared += section.layers[i].prestretch.volume_ratio(1.) * thickness * (2. * inner + thickness);
+    inner += thickness;
+  }
+  return pressure * inner_radius / (std::sqrt(squared) - inner_radius);
 }
 
 std::unique_ptr<Vessel> TubeWall::make(const VesselDescription &description,

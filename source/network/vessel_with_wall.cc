@@ -351,6 +351,9 @@ VesselProblem VesselWithWall<Wall>::problem() const
           z, "the tube is closed there",
           "Lower the flow rate that is drawn off, raise the initial pressure, or give a stiffer "
           "wall"};
+    if (std::isfinite(area[i]) && !std::isfinite(centres[i].stiffness(area[i])))
+      return {z, "the wall law has no state at the area there, " + six_digits(area[i]) + " m^2",
+              remedy_of_load};
     if (!is_slow(area[i], flow[i], centres[i].stiffness(area[i])))
       return as_fast_as_the_wave(z);
   }

@@ -205,6 +205,28 @@ UNIT_TEST(wave_report)
       "from nonlinear theory",
       find(summary_of_two, "largest difference of pressure from nonlinear theory", "tube"),
       0.03 / 1.03, 1e-6);
+  // A theory that ends has no difference over the whole run, though what there is of it is near.
+  for (auto &station : nonlinear)
+    std::fill(station[0].begin() + 600, station[0].end(), std::numeric_limits<double>::quiet_NaN());
+  WaveReport of_ended(stations, times);
+  of_ended.add(WaveSource::simulated(), simulated);
+  of_ended.add(WaveSource::nonlinear_theory(), nonlinear);
+  Summary summary_of_ended;
+  of_ended.add_quantities(summary_of_ended);
+  bool ended_passed = true;
+  const std::string verdict_of_ended =
+      summary_of_ended
+          .check({parse_expected_value("largest difference of pressure from nonlinear theory",
+                                       "< 0.1")},
+                 ended_passed)
+          .front();
+  check::is_true("a theory that ends fails it",
+                 !ended_passed && verdict_of_ended.find("absent: the values of 'nonlinear theory' "
+                                                        "end before the run") != std::string::npos);
+  check::relative(
+      "a field that does not end",
+      find(summary_of_ended, "largest difference of flow rate from nonlinear theory", "tube"),
+      0.03 / 1.03, 1e-6);
   QuantityNames names;
   WaveReport::name_quantities(
       stations,

@@ -353,6 +353,32 @@ void wall_of_saint_venant_and_kirchhoff()
   check::is_true("a layer of another law", is_refused);
 }
 
+/// The mesh of a ring that was opened is much larger than the closed ring.
+void opened_ring()
+{
+  TubeSection section = rubber();
+  section.layers.front().prestretch.axial = 1.7;
+  section.layers.front().prestretch.opening_angle = 160. / 180. * FlowLaw::pi;
+  VesselDescription description;
+  description.name = "ring";
+  description.length = length;
+  description.n_cells = 2;
+  const std::unique_ptr<Vessel> vessel = TubeWall::make(
+      description, FlowLaw(), [&](double) { return section; }, WallTheory::thick, 0.);
+  const LoadedTube tube(section);
+  for (const double pressure : {1., 1000.})
+  {
+    vessel->rest(pressure);
+    const double inner = tube.inner_radius(pressure), area = FlowLaw::pi * inner * inner;
+    check::relative("opened ring, area", vessel->values(0.5 * length).area, area, 1e-6);
+    check::relative("opened ring, stiffness", vessel->stiffness(Vessel::End::start, area),
+                    tube.stiffness(inner) / (2. * FlowLaw::pi * inner), 1e-4);
+    check::relative("opened ring, hoop stress",
+                    TubeWall(section, WallTheory::thick).hoop_stress(pressure, inner),
+                    pressure * inner / (tube.outer_radius(inner) - inner), 1e-6);
+  }
+}
+
 /// The text of the refusal; empty if there is none.
 std::string refusal(const TubeWaveProblem &problem)
 {
@@ -394,6 +420,12 @@ void ends_and_refusals()
   section = rubber();
   section.tethered = false;
   refused("rubber that is free along", problem_of(section), "free along its axis");
+  section = rubber();
+  section.layers.front().shear.branches.push_back(Branch{young / 10., 0.02});
+  check::is_true("rubber that relaxes", refusal(problem_of(section)).empty());
+  section.layers.front().prestretch.axial = 1.1;
+  refused("prestretch in a wall that relaxes", problem_of(section),
+          "fibres or a prestretch that relaxes");
   section = section_of(0., {}, false);
   section.axial_stiffness = 1.;
   refused("support along the axis", problem_of(section), "support along its axis");
@@ -415,6 +447,7 @@ UNIT_TEST(nonlinear_tube_waves)
   table_of_a_wall();
   taper_of_tables();
   wall_of_saint_venant_and_kirchhoff();
+  opened_ring();
   ends_and_refusals();
 }
 } // namespace test_of_nonlinear_tube_waves

@@ -45,7 +45,8 @@ public:
 
   /// The sources stand in the order in which they come. The first one is compared with the others.
   /// A value that is NaN (there is none at this station, of this field or at this time) is left out
-  /// of all that follows.
+  /// of all that follows. But of a field whose values end before the last time (a theory that has
+  /// no state any more; not a measurement) the largest difference is absent.
   void add(const WaveSource &source, const Histories &histories);
 
   /**

@@ -30,7 +30,9 @@ public:
   /// rho c^2 of long waves without load, all branches relaxed [Pa].
   double density_times_speed_squared() const;
   /// Mean stress around the tube over the section of the wall [Pa], at the pressure of the wall
-  /// [Pa] and the inner radius [m]. In finite deformation the section is taken to keep its area.
+  /// [Pa] and the inner radius [m]. In finite deformation the section is taken to keep its area, as
+  /// an incompressible wall does. Beside a support the wall bears the share of the pressure that it
+  /// has when all branches are relaxed, at all times.
   double hoop_stress(double pressure, double inner_radius) const;
 
   /// A vessel whose section at z [m] is `section(z)`, all of the law of `section(0)`. Without

@@ -87,7 +87,8 @@ public:
   double volume() const;
   /// The pressure [Pa], flow rate [m^3/s], area [m^2] and shear stress on the wall, positive
   /// towards the end [Pa], at z [m], linear between the centres of the cells and the ends. What the
-  /// friction remembers is in a cell alike everywhere.
+  /// friction remembers is in a cell alike everywhere, and is that of the middle of the last step:
+  /// the shear stress is of first order in the step.
   struct Values
   {
     double pressure, flow, area, wall_shear_stress;

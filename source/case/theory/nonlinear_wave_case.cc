@@ -1,5 +1,6 @@
 #include <continua/case/theory/nonlinear_wave_case.h>
 
+#include <continua/base/six_digits.h>
 #include <continua/case/theory/loaded_tube_case.h>
 #include <continua/network/tube_wall.h>
 #include <continua/signal/energy_frequency.h>
@@ -19,6 +20,7 @@ constexpr unsigned int n_samples_of_load = 4096;
 constexpr double cells_in_a_wave = 300.;
 /// Of a tube.
 constexpr double fewest_cells = 50., most_cells = 3000.;
+constexpr double most_given_cells = 1e5; ///< of a tube
 
 /// The problem of linear theory with the sections that the tube has without load.
 template <int dim>
@@ -40,6 +42,15 @@ TubeWaveProblem problem_without_load(const Case<dim> &input, const TubeWaveCase 
     }
   }
   return problem;
+}
+
+/// [m], of the tube or a branch.
+double longest_of(const TubeWaveProblem &problem)
+{
+  double longest = problem.length();
+  for (const TubeWaveProblem &branch : problem.branches)
+    longest = std::max(longest, longest_of(branch));
+  return longest;
 }
 
 /// The slowest long wave [m/s], about the mean pressure if there is one, and the length of the
@@ -95,6 +106,12 @@ void check_nonlinear_waves(const Case<dim> &input, ParameterSection root)
   if (!why_not.empty())
     section.refuse("Nonlinear", "nonlinear wave theory does not cover this case: " + why_not,
                    "Set Nonlinear = false");
+  const double cell_length = input.wave_theory.nonlinear_cell_length;
+  if (cell_length > 0. && longest_of(wave_case.problem) > most_given_cells * cell_length)
+    section.refuse("Nonlinear cell length",
+                   "a tube of " + six_digits(longest_of(wave_case.problem)) +
+                       " m has more than 100000 cells of this length",
+                   "Give longer cells, or 0 for a length by the load");
   try
   {
     make_nonlinear_waves(input, wave_case);

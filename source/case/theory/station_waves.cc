@@ -49,7 +49,9 @@ StationWaves station_waves(const StationsProbe &probe,
     }
   for (const WaveHistory &wave : waves)
     if (!wave.end.empty())
-      result.end = wave.end;
+      result.end = wave.end + (wave_case.from_outlet && probe.branch == 0
+                                   ? ". The vessel starts at the outlet, where the load is"
+                                   : "");
   return result;
 }
 } // namespace Continua
