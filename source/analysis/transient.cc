@@ -8,6 +8,7 @@
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/case/before_the_run/preflight_report.h>
+#include <continua/case/network_ends.h>
 #include <continua/mesh/refinement_tree.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -85,6 +86,8 @@ void Transient<dim>::perform()
                         : "each change of the mesh excites fast motions, which an adaptive time "
                           "step follows: a fixed one may need fewer steps");
   report_tables();
+  for (const std::string &warning : network_warnings(run.input))
+    run.log.warning(warning);
   if (run.command_line.restart)
     restart();
   else
@@ -131,6 +134,8 @@ void Transient<dim>::start()
     start_from_rest_under_loads();
   else
     report_initial_jumps();
+  if (const std::string text = network_at_start(run.input); !text.empty())
+    run.log.detail(text);
   run.input.probes.open(run.directory.file("probes.csv"));
   beats.open();
   if (probe_schedule.due(0., 0.))

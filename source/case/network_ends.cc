@@ -4,6 +4,8 @@
 #include <continua/base/nearest_name.h>
 #include <continua/base/six_digits.h>
 #include <continua/boundary/outlets.h>
+#include <continua/mesh/coordinates.h>
+#include <continua/mesh/round_section.h>
 #include <continua/network/network_parameters.h>
 
 #include <algorithm>
@@ -18,6 +20,15 @@ namespace
 {
 /// Of a section, over its extent: less is flat.
 constexpr double flatness = 1e-6;
+/// Of the areas of body and vessel at a joint: less needs no word.
+constexpr double most_difference_of_areas = 0.1;
+/// Of the pressure at the start, between both.
+constexpr double least_jump = 1e-6;
+
+bool is_alike(const double a, const double b)
+{
+  return std::abs(a - b) <= 1e-9 * std::abs(a);
+}
 
 std::vector<unsigned int> conditions_at_network(const Problem &problem)
 {
@@ -89,6 +100,41 @@ void check_boundary(const Case<dim> &input,
                    "Give an inlet or an outlet of the body this Type");
 }
 
+/// Of the vessel that ends at a node, inside it.
+double radius_at(const NetworkParameters &network, const std::string &node)
+{
+  for (const VesselEntries &vessel : network.vessels)
+    if (vessel.from == node || vessel.to == node)
+      return vessel.from == node ? vessel.radius_at_start : vessel.radius_at_end;
+  return 0.;
+}
+
+/// Of a body at a network: "" where its section is no disc, or has the area of the vessel.
+template <int dim>
+std::string warning_of_area(const Case<dim> &input, const BoundaryCondition &condition)
+{
+  if (dim == 2 && input.problem.model != Model::axisymmetric)
+    return "";
+  double radius = 0.;
+  try
+  {
+    radius = find_round_section(*input.triangulation, condition.boundary_id, condition.region_ids)
+                 .radius;
+  }
+  catch (const std::invalid_argument &)
+  {
+    return "";
+  }
+  const double of_body = numbers::PI * radius * radius,
+               of_vessel = numbers::PI * std::pow(radius_at(*input.network, condition.node), 2);
+  if (std::abs(of_vessel - of_body) <= most_difference_of_areas * of_body)
+    return "";
+  return "the section of the body at '" + condition.name + "' has " + six_digits(of_body) +
+         " m^2, that of the vessel at the node '" + condition.node + "' " + six_digits(of_vessel) +
+         " m^2: the joint reflects a part of each wave, and has the same pressure on both sides, "
+         "not the same head";
+}
+
 /// What a node must be at which a body stands.
 void check_node(const NetworkParameters &network,
                 const BoundaryCondition &condition,
@@ -130,8 +176,18 @@ void check_liquid(const Case<dim> &input,
   for (const unsigned int c : conditions_at_network(input.problem))
     for (const unsigned int region : input.problem.conditions[c].region_ids)
     {
+      const Shear &shear = input.problem.materials[region].shear;
+      if (!section.given("Viscosity") && shear.flow_curve)
+        section.refuse_missing("the viscosity of the liquid '" + input.problem.regions[region] +
+                                   "' depends on the rate of shear, and that of a network does not",
+                               "Give the 'Viscosity' at the rates of shear in the vessels");
+      if (!section.given("Viscosity") && !is_alike(shear.viscosity, network.liquid.viscosity))
+        section.refuse_missing("the body has liquids of different viscosities at the network, " +
+                                   six_digits(network.liquid.viscosity) + " Pa s and " +
+                                   six_digits(shear.viscosity) + " Pa s",
+                               "Give the 'Viscosity' of the network");
       const double density = input.problem.materials[region].density;
-      if (std::abs(density - network.liquid.density) > 1e-9 * density)
+      if (!is_alike(density, network.liquid.density))
         section.refuse("Density",
                        six_digits(network.liquid.density) + " kg/m^3 are not the " +
                            six_digits(density) + " kg/m^3 of the liquid '" +
@@ -180,7 +236,7 @@ void read_network_of_body(Case<dim> &input, ParameterSection root)
   }
   check_liquid(input, *network, section);
   network->check(section);
-  network->check_elastances(input.time.end_time);
+  network->check_elastances(input.time.end_time, input.time.time_step);
   try
   {
     network->make();
@@ -218,8 +274,64 @@ void add_network_outlet(Case<dim> &input)
   input.problem.outlets.push_back(outlet);
 }
 
+template <int dim>
+std::vector<std::string> network_warnings(const Case<dim> &input)
+{
+  std::vector<std::string> warnings;
+  if (!input.network)
+    return warnings;
+  const std::vector<unsigned int> at_network = conditions_at_network(input.problem);
+  const auto fraction = [&](const unsigned int c)
+  { return fraction_of_section(input.problem.conditions[c], *input.triangulation); };
+  for (const unsigned int c : at_network)
+  {
+    const BoundaryCondition &condition = input.problem.conditions[c];
+    if (const std::string text = warning_of_area(input, condition); !text.empty())
+      warnings.push_back(text);
+    const double first = fraction(at_network.front());
+    if (!is_alike(first, fraction(c)))
+      warnings.push_back("the mesh has " + six_digits(first) + " of the section at '" +
+                         input.problem.conditions[at_network.front()].name + "' and " +
+                         six_digits(fraction(c)) + " of that at '" + condition.name +
+                         "': where vessels connect both, liquid is lost or made between them. "
+                         "Mesh the same part of both");
+  }
+  return warnings;
+}
+
+template <int dim>
+std::string network_at_start(const Case<dim> &input)
+{
+  if (!input.network)
+    return "";
+  const InteriorData &interior = input.problem.interior;
+  if (interior.starts_at_rest_under_loads)
+    return "The network starts at rest: what flows out of the body at t = 0 meets it as a jump";
+  const unsigned int c = conditions_at_network(input.problem).front();
+  const BoundaryCondition &condition = input.problem.conditions[c];
+  double of_body = 0.;
+  if (!interior.initial_pressure.empty())
+    for (const auto &cell : input.triangulation->cell_iterators_on_level(0))
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id &&
+            condition.region_ids.count(cell->material_id()) > 0)
+          of_body = interior.initial_pressure[cell->material_id()](
+              coordinates(cell->face(f)->center()).data(), 0.);
+  const double of_network = input.network->initial_pressure;
+  if (std::abs(of_network - of_body) <= least_jump * std::abs(of_network))
+    return "";
+  return "The network starts at t = 0 with a pressure of " + six_digits(of_network) +
+         " Pa, the body at '" + condition.name + "' with " + six_digits(of_body) +
+         " Pa: the body meets it as a jump, which the scheme starts with. 'Initial state/Pressure' "
+         "and 'Network/Initial pressure' give both the same one";
+}
+
 template void read_network_of_body(Case<2> &, ParameterSection);
 template void read_network_of_body(Case<3> &, ParameterSection);
 template void add_network_outlet(Case<2> &);
 template void add_network_outlet(Case<3> &);
+template std::vector<std::string> network_warnings(const Case<2> &);
+template std::vector<std::string> network_warnings(const Case<3> &);
+template std::string network_at_start(const Case<2> &);
+template std::string network_at_start(const Case<3> &);
 } // namespace Continua

@@ -4,6 +4,7 @@
 #include <continua/base/parameter_text.h>
 #include <continua/continuum/field_list.h>
 #include <continua/mesh/coordinates.h>
+#include <continua/network/network_parameters.h>
 
 #include <algorithm>
 #include <array>
@@ -96,13 +97,31 @@ std::vector<PeriodicLoad> loads_of(Case<dim> &input)
   return loads;
 }
 
-/// The period of the tables that are repeated. Throws InputError unless they have one.
-double period_of_tables(const std::vector<PeriodicLoad> &loads, const ParameterSection &section)
+/// The terminals of a network at the body that depend on time.
+template <int dim>
+std::vector<TerminalEntries> terminals_in_time(const Case<dim> &input)
 {
-  double period = 0.;
+  std::vector<TerminalEntries> terminals;
+  if (input.network)
+    for (const TerminalEntries &terminal : input.network->terminals)
+      if (terminal.law.value)
+        terminals.push_back(terminal);
+  return terminals;
+}
+
+/// The period of the tables that are repeated. Throws InputError unless they have one.
+double period_of_tables(const std::vector<PeriodicLoad> &loads,
+                        const std::vector<TerminalEntries> &terminals,
+                        const ParameterSection &section)
+{
+  std::vector<double> of_tables;
   for (const PeriodicLoad &load : loads)
+    of_tables.push_back(load.waveform->table_period());
+  for (const TerminalEntries &terminal : terminals)
+    of_tables.push_back(terminal.period);
+  double period = 0.;
+  for (const double of_table : of_tables)
   {
-    const double of_table = load.waveform->table_period();
     if (of_table == 0.)
       continue;
     if (period > 0. && std::abs(of_table - period) > 1e-9 * period)
@@ -256,24 +275,27 @@ void set_periodic_loads(Case<dim> &input, ParameterSection root)
     }
   PeriodicStateParameters &periodic_state = input.periodic_state;
   const bool period_is_given = section.given("Period");
+  const std::vector<TerminalEntries> terminals = terminals_in_time(input);
   if (!period_is_given)
-    periodic_state.period = period_of_tables(loads, section);
+    periodic_state.period = period_of_tables(loads, terminals, section);
   check_times(input, root, period_is_given);
   bool any_varies = false;
   std::string latest;
+  const auto take = [&](const std::string &name, const std::function<double(double)> &load)
+  {
+    const Repetition repetition = repetition_of(input, name, load, section, period_is_given);
+    any_varies = any_varies || repetition.varies;
+    if (repetition.first > periodic_state.first_of_loads)
+    {
+      periodic_state.first_of_loads = repetition.first;
+      latest = name;
+    }
+  };
   for (const PeriodicLoad &load : loads)
     for (const std::array<double, 3> &place : load.places)
-    {
-      const Repetition repetition = repetition_of(
-          input, load.name, [&](const double time) { return (*load.waveform)(place.data(), time); },
-          section, period_is_given);
-      any_varies = any_varies || repetition.varies;
-      if (repetition.first > periodic_state.first_of_loads)
-      {
-        periodic_state.first_of_loads = repetition.first;
-        latest = load.name;
-      }
-    }
+      take(load.name, [&](const double time) { return (*load.waveform)(place.data(), time); });
+  for (const TerminalEntries &terminal : terminals)
+    take("the terminal '" + terminal.node + "' of the network", terminal.law.value);
   if (!any_varies)
     section.refuse("", "no load varies in time, so that there are no beats",
                    "Give the inlet a formula of t, or a table with After the table = repeat, or "

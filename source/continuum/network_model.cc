@@ -115,16 +115,23 @@ void NetworkModel::set_predicted()
 void NetworkModel::find_impedance(const std::vector<double> &flow_rates)
 {
   const unsigned int n = n_ports();
-  for (unsigned int j = 0; j < n; ++j)
+  unsigned int n_steps_before;
+  do
   {
-    std::vector<double> shifted = flow_rates;
-    const double distance = flow_difference * flow_scale[j] * outlet.fractions[j];
-    shifted[j] += distance;
-    make_trial(shifted.data());
-    for (unsigned int i = 0; i < n; ++i)
-      z(i, j) = trial_pressures[i] / distance;
-  }
-  make_trial(flow_rates.data());
+    // All trials have the same steps: a difference tells the impedance, not that of two meshes of
+    // time.
+    n_steps_before = n_steps;
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      std::vector<double> shifted = flow_rates;
+      const double distance = flow_difference * flow_scale[j] * outlet.fractions[j];
+      shifted[j] += distance;
+      make_trial(shifted.data());
+      for (unsigned int i = 0; i < n; ++i)
+        z(i, j) = trial_pressures[i] / distance;
+    }
+    make_trial(flow_rates.data());
+  } while (n_steps != n_steps_before);
   for (unsigned int j = 0; j < n; ++j)
     for (unsigned int i = 0; i < n; ++i)
       z(i, j) -= trial_pressures[i] / (flow_difference * flow_scale[j] * outlet.fractions[j]);
@@ -135,13 +142,18 @@ bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_o
   const unsigned int n = n_ports();
   if (is_linearised && new_step.time_old == step.time_old && new_step.size() == step.size() &&
       new_step.is_towards_rest == step.is_towards_rest && new_step.load_factor == step.load_factor)
+  {
+    // Another iterate of the body in the same step: its dense system has corrections of its own.
+    n_corrections = 0;
     return false;
+  }
   step = new_step;
-  is_linearised = true;
+  is_linearised = false; // until no trial has thrown
   n_corrections = 0;
   if (step.is_towards_rest)
   {
     // The network waits.
+    is_linearised = true;
     z = 0.;
     for (unsigned int i = 0; i < n; ++i)
       predicted[i] = step.load_factor * present.pressures[i];
@@ -163,18 +175,23 @@ bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_o
     make_trial(present.flow_rates.data());
   }
   set_predicted();
+  is_linearised = true;
   return true;
 }
 
 bool NetworkModel::linearise_steady(double)
 {
-  throw RunError("the network at '" + outlet.name + "' has no steady flow of its own");
+  throw RunError("the network at '" + outlet.name +
+                 "' has no steady flow of its own: set Analysis = transient, or give the boundary "
+                 "Type = windkessel");
 }
 
 void NetworkModel::take_update(const std::vector<double> &flow_rates_before,
                                const std::vector<double> &pressures_before)
 {
   const unsigned int n = n_ports();
+  if (flow_rates_before.empty())
+    return; // the trial before has thrown, or the present state was asked for
   double square = 0., largest = 0.;
   std::vector<double> change(n);
   for (unsigned int j = 0; j < n; ++j)
@@ -265,7 +282,9 @@ void NetworkModel::advance(const Step &of_step, const double *const flow_rates)
 
 void NetworkModel::set_steady(const double *)
 {
-  throw RunError("the network at '" + outlet.name + "' has no steady flow of its own");
+  throw RunError("the network at '" + outlet.name +
+                 "' has no steady flow of its own: set Analysis = transient, or give the boundary "
+                 "Type = windkessel");
 }
 
 std::vector<double> NetworkModel::present_pressures(double, const double *) const

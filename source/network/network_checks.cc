@@ -15,7 +15,8 @@ namespace
 constexpr double tolerance_of_heights = 1e-9;
 constexpr double most_cells = 1e6;       ///< of a vessel
 constexpr double most_intervals = 1e7;   ///< of a beat, or of the run
-constexpr unsigned int n_samples = 1000; ///< of an elastance, in the same time
+constexpr unsigned int n_samples = 1000; ///< of an elastance, in the same time, at least
+constexpr unsigned int most_samples = 1000000;
 
 /// A remedy for a name that nothing has.
 std::string
@@ -186,9 +187,12 @@ void NetworkParameters::set_heights()
     const double from = heights[node(vessel.from)], to = heights[node(vessel.to)];
     if (std::isnan(from))
       vessel.refuse("From",
-                    "the vessel '" + vessel.name + "' is not connected with the vessel '" +
-                        vessels.front().name + "'",
-                    "Let them meet in a node, or make a file for each network");
+                    "the vessel '" + vessel.name + "' is not connected with " +
+                        (nodes_at_body.empty() ? "the vessel '" + vessels.front().name + "'"
+                                               : "a boundary of the body"),
+                    nodes_at_body.empty()
+                        ? "Let them meet in a node, or make a file for each network"
+                        : "Let it meet a vessel that is, or remove it");
     if (std::abs(from + vessel.rise - to) > tolerance_of_heights * sum)
       vessel.refuse("Rise",
                     "along a loop with the vessel '" + vessel.name +
@@ -252,12 +256,15 @@ void NetworkParameters::check_times(const ParameterSection &section)
   check_elastances(whole);
 }
 
-void NetworkParameters::check_elastances(const double whole) const
+void NetworkParameters::check_elastances(const double whole, const double step) const
 {
+  const auto n = static_cast<unsigned int>(
+      step > 0. ? std::clamp(std::ceil(whole / step), 1. * n_samples, 1. * most_samples)
+                : n_samples);
   for (const TerminalEntries &terminal : terminals)
-    for (unsigned int i = 0; terminal.law.type == TerminalLaw::Type::heart && i <= n_samples; ++i)
+    for (unsigned int i = 0; terminal.law.type == TerminalLaw::Type::heart && i <= n; ++i)
     {
-      const double time = i * whole / n_samples, elastance = terminal.law.value(time);
+      const double time = i * whole / n, elastance = terminal.law.value(time);
       if (!(elastance > 0.))
         terminal.refuse("its Elastance is " + six_digits(elastance) + " Pa/m^3 at " +
                             six_digits(time) + " s",

@@ -120,7 +120,7 @@ void NetworkParameters::read(ParameterSection section)
   read_wall(section);
   section.add("Initial pressure", initial_pressure, Dimensions::pressure,
               "Of the state at rest with which the run starts; with gravity at the first node that "
-              "the vessels name.");
+              "the vessels name, at ends of a body at the first boundary that stands at a node.");
   read_times(section);
 
   std::string file;

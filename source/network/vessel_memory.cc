@@ -149,12 +149,13 @@ void VesselMemory::begin_stage(const bool second,
   stage_areas = areas;
   explicit_flows = flows;
   stiffness = stiffnesses;
-  // What the first stage has given already.
-  const double of_first = second ? (1. - 2. * implicit_share) * step : 0.;
+  // What the first stage has given already. Before it the rates are those of a step that may have
+  // failed, and no numbers.
+  const double of_first = (1. - 2. * implicit_share) * step;
   for (std::vector<States> *const all : {&branches, &modes})
     for (States &states : *all)
       for (std::size_t i = 0; i < states.now.size(); ++i)
-        states.now[i] = states.old[i] + of_first * states.rates[0][i];
+        states.now[i] = states.old[i] + (second ? of_first * states.rates[0][i] : 0.);
   if (wall_relaxes())
     for (unsigned int f = 0; f <= n; ++f)
     {
@@ -291,12 +292,16 @@ void VesselMemory::add(const bool second,
                        const double end_flow,
                        std::vector<double> &flows)
 {
-  const double of_first = second ? implicit_share : 1. - 3. * implicit_share,
-               of_second = second ? 0.5 * (1. - implicit_share) : 0.;
-  for (unsigned int i = 0; i < n; ++i)
-    flows[i] += step * (of_first * flow_rates_of[0][i] + of_second * flow_rates_of[1][i]);
   if (!second)
+  {
+    // The rates of the second stage are those of a step that may have failed, and no numbers.
+    for (unsigned int i = 0; i < n; ++i)
+      flows[i] += step * ((1. - 3. * implicit_share) * flow_rates_of[0][i]);
     return;
+  }
+  for (unsigned int i = 0; i < n; ++i)
+    flows[i] += step * (implicit_share * flow_rates_of[0][i] +
+                        0.5 * (1. - implicit_share) * flow_rates_of[1][i]);
   for (std::vector<States> *const all : {&branches, &modes})
     for (States &states : *all)
       for (std::size_t i = 0; i < states.now.size(); ++i)

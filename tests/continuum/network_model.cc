@@ -142,6 +142,8 @@ void short_vessel()
     } while (model.correct(&flow));
     flow_alone = (load - exact.predicted_pressures()[0]) / (body + exact.impedance()(0, 0));
     const double pressure = load - body * flow;
+    // The relation through the network's own pressure, not the one that gave the flow rate.
+    model.linearise_about(&flow);
     defect = std::max(defect, std::abs(model.predicted_pressures()[0] +
                                        model.impedance()(0, 0) * flow - pressure));
     most = std::max(most, n);

@@ -108,9 +108,9 @@ struct BoundaryCondition
   std::shared_ptr<const ProfileTable> profile_table; ///< of a profile from a table, else null
   FlowPast past = FlowPast::at_rest;                 ///< of a womersley profile
   double period = 0.;                                ///< [s] of a periodic past
-  /// Of an outlet, else null: what was read, for the whole tube. Without a port where the tube
-  /// itself has to tell the impedance (absorbing), and of a
-  /// network. Its pressure is no part of `normal`.
+  /// Of an outlet, else null: what was read, for the whole tube. It has no port where the tube
+  /// itself has to tell the impedance (absorbing), and where a network stands. Its pressure is no
+  /// part of `normal`.
   std::shared_ptr<const Outlet> outlet;
   AbsorbingEndParameters absorbing; ///< of Type = absorbing
   std::string node;                 ///< of Type = network: of the network, at the boundary

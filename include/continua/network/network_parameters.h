@@ -65,16 +65,15 @@ struct NetworkParameters
   /// no vessel, a loose end without a terminal, a terminal at no loose end, parts that do not meet,
   /// heights that do not fit together, a station outside its vessel, times that are missing.
   void check(ParameterSection section);
-  /// Of hearts, which must be positive in a time [s]; check() does it where there is no body.
-  /// Throws InputError.
-  void check_elastances(double whole) const;
+  /// Of hearts, which must be positive in a time [s], looked at once in a `step` [s] (0: a
+  /// thousand times); check() does it where there is no body. Throws InputError.
+  void check_elastances(double whole, double step = 0.) const;
   /// The network in its state at rest. After check(). Throws std::domain_error if there is no such
   /// state.
   Network make() const { return make({}); }
   /// The same, with the flow rates into the network [m^3/s], of time [s], at its nodes at a body.
   Network make(const std::vector<std::function<double(double)>> &inflows_of_body) const;
   unsigned int node(const std::string &name) const; ///< its number; nodes.size(): there is none
-  unsigned int n_ends(unsigned int node) const;     ///< of vessels at a node
   unsigned int n_cells(const VesselEntries &vessel) const;
   /// Of the records in a beat, or in the run.
   unsigned int n_intervals() const;
@@ -82,6 +81,7 @@ struct NetworkParameters
 private:
   std::vector<double> heights; ///< of the nodes [m]
 
+  unsigned int n_ends(unsigned int node) const; ///< of vessels at a node
   bool is_at_body(const std::string &node) const;
   void read_liquid(ParameterSection &section);
   void read_wall(ParameterSection &section);

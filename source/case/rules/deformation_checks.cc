@@ -1,6 +1,7 @@
 #include <continua/case/rules/deformation_checks.h>
 
 #include <continua/case/theory/loaded_tube_case.h>
+#include <continua/network/network_parameters.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -32,6 +33,11 @@ void check_prestretch(const Problem &problem, const unsigned int region, Paramet
                   "Give the support dampers and a pressure alone, or remove the prestretch");
 }
 
+bool has_network(const BoundaryCondition &condition)
+{
+  return condition.outlet && condition.outlet->network;
+}
+
 /// Whether something acts on a boundary at t = 0, or may act somewhere on it.
 bool may_load_at_start(const BoundaryCondition &condition)
 {
@@ -40,16 +46,27 @@ bool may_load_at_start(const BoundaryCondition &condition)
   const bool has_one_value =
       condition.normal.vector.empty() && !condition.normal.along_normal.depends_on_space();
   return condition.is_supported() || !condition.initial_jump(origin).empty() ||
+         (has_network(condition) && condition.outlet->network->initial_pressure != 0.) ||
          !condition.tangential.is_zero() || (!has_one_value && !condition.normal.is_zero());
 }
 
 /// A mesh that has the shape under the loads of the start.
 void check_unloaded_shape(const Problem &problem, ParameterSection root)
 {
+  if (!problem.interior.body_force.empty() ||
+      std::any_of(problem.conditions.begin(), problem.conditions.end(), may_load_at_start))
+    return;
   for (const BoundaryCondition &condition : problem.conditions)
-    if (condition.type == BoundaryType::windkessel && condition.outlet->initial_states.empty() &&
-        problem.interior.body_force.empty() &&
-        std::none_of(problem.conditions.begin(), problem.conditions.end(), may_load_at_start))
+  {
+    if (has_network(condition))
+      root.subsection("Boundaries")
+          .subsection(condition.name)
+          .refuse("",
+                  "at t = 0 nothing flows in and the network has no pressure: the liquid has none "
+                  "either, and the shape of the mesh would be the one without load",
+                  "Give Network/Initial pressure, the pressure at which the image was taken, or "
+                  "set Unloaded shape = mesh");
+    if (condition.type == BoundaryType::windkessel && condition.outlet->initial_states.empty())
       root.subsection("Boundaries")
           .subsection(condition.name)
           .refuse("",
@@ -57,6 +74,7 @@ void check_unloaded_shape(const Problem &problem, ParameterSection root)
                   "pressure, and the shape of the mesh would be the one without load",
                   "Add 'set Initial pressure = ...', the pressure at which the image was taken, or "
                   "set Unloaded shape = mesh");
+  }
 }
 
 /// The volume that a boundary encloses in the coarse mesh, see CavityVolumes, over the area of its
