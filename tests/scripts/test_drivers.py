@@ -182,6 +182,14 @@ class Drivers(unittest.TestCase):
         self.assertFalse(self.compare_screens("a, 1\n", "b, 1\n"))
         self.assertFalse(self.compare_screens("a, 1\n", "a, 1\na, 1\n"))
 
+    def test_screen_of_a_fit(self):
+        """Limits of intervals count to two digits where parameters trade off, and in full elsewhere."""
+        row = "modulus 25460 +- 4100 Pa (95 %: {} to 37160 Pa)\n"
+        together = "'modulus' and 'angle' trade off: with more of the one the data fit less of the other\n"
+        self.assertTrue(self.compare_screens(row.format("17450") + together, row.format("17460") + together))
+        self.assertFalse(self.compare_screens(row.format("17450") + together, row.format("18600") + together))
+        self.assertFalse(self.compare_screens(row.format("17450"), row.format("17460")))
+
     def test_verify(self):
         done = self.verify({"case.prm": "set Cells = 4\n"}, "--markdown")
         self.assertEqual(done.returncode, 0, done.stderr)

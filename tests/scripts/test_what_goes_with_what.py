@@ -221,7 +221,7 @@ FEATURES = {
     "network at an end": ({**OUTLET, "Boundaries/outlet/Type": "network", "Boundaries/outlet/Node": "joint", "Network/Vessels/vessel/From": "joint",
                            "Network/Vessels/vessel/To": "end", "Network/Vessels/vessel/Length": "50 mm", "Network/Vessels/vessel/Radius at start": "2 mm",
                            "Network/Vessels/vessel/Wall thickness at start": "1 mm", "Network/Vessels/vessel/Young's modulus": "1 MPa",
-                           "Network/Terminals/end/Type": "absorbing"}, has("Boundaries/outlet/Type", "network")),
+                           "Network/Viscosity": "1 mPa s", "Network/Terminals/end/Type": "absorbing"}, has("Boundaries/outlet/Type", "network")),
     "outlet that holds the flow rate": ({**RESISTANCE, "Boundaries/outlet/Coupling": "flow"}, has("Boundaries/outlet/Coupling", "flow")),
     "absorbing end": ({**OUTLET, "Boundaries/outlet/Type": "absorbing"}, has("Boundaries/outlet/Type", "absorbing")),
     "free profile": ({**FLOW_RATE, **FINITE, "Boundaries/inlet/Profile": "free"}, has("Boundaries/inlet/Profile", "free")),
