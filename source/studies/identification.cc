@@ -75,6 +75,11 @@ void Identification::read_case()
   if (probes.empty())
     file.root().subsection("Probes").refuse("", "an identification has no station to look at",
                                             "Add a probe with Stations, Fields and Measured");
+  if (input.wave_theory.nonlinear)
+    file.root()
+        .subsection("Wave theory")
+        .refuse("Nonlinear", "an identification takes linear theory or the run itself as its model",
+                "Leave the entry out");
   read_sought();
   measured = StationRecords::measured(input, parameters, sought, section(), by_theory);
   if (parameters.is_design())
