@@ -252,6 +252,7 @@ private:
 };
 } // namespace Continua
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the argument is a name that is declared
 /// The functions of one instruction set, with its width.
 #define CONTINUA_DEFINE_FLOW_TERMS(name, width)                                                    \
   namespace Continua                                                                               \
@@ -264,5 +265,6 @@ private:
   template FlowTermsAtPoints<2> name<2>();                                                         \
   template FlowTermsAtPoints<3> name<3>();                                                         \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 #endif

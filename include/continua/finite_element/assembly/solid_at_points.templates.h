@@ -335,6 +335,7 @@ private:
 };
 } // namespace Continua
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the argument is a name that is declared
 /// The functions of one instruction set, with its width.
 #define CONTINUA_DEFINE_SOLID_TERMS(name, width)                                                   \
   namespace Continua                                                                               \
@@ -347,5 +348,6 @@ private:
   template SolidTermsAtPoints<2> name<2>();                                                        \
   template SolidTermsAtPoints<3> name<3>();                                                        \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 #endif

@@ -37,6 +37,7 @@ enum class LoadedPart
 /// by -1; the others have velocities alone, or are empty. Between velocities stiffness [N/m], mass
 /// [kg], viscosity [N s/m] and relaxation, which is that of the branches over their modulus [m].
 template <int dim>
+// NOLINTNEXTLINE(bugprone-exception-escape): deal.II's matrix may throw when it is moved
 struct LoadedCell
 {
   const QuadratureCell<dim> *at = nullptr;
