@@ -152,7 +152,7 @@ std::string WaveReport::places_without_pulse(const std::vector<unsigned int> &us
       if (wave.stations[i].missing == reason)
         places += (places.empty() ? "" : ", ") + named_value(stations.positions[used[i]], "m");
     if (!places.empty())
-      reasons += (reasons.empty() ? "" : "; ") + text + " at " + places;
+      reasons.append(reasons.empty() ? "" : "; ").append(text).append(" at ").append(places);
   }
   return reasons;
 }
@@ -279,8 +279,11 @@ WaveReport::analyse(const Data &data, Summary &summary, Notes &notes) const
   if (absent.size() > 1 && absent.front().second == all_speeds)
     absent.resize(1);
   for (const auto &[reason, names] : absent)
-    notes.lines.push_back("No " + prefix + (names == all_speeds ? "wave speed" : names) +
-                          " at the stations '" + stations.name + "': " + reason);
+  {
+    std::string line = "No " + prefix;
+    line.append(names == all_speeds ? "wave speed" : names).append(" at the stations '");
+    notes.lines.push_back(line.append(stations.name).append("': ").append(reason));
+  }
   if (absent.empty() && !without_pulse.empty())
     notes.details.push_back("Left out of the " + prefix +
                             "speeds and the attenuation at the stations '" + stations.name +
