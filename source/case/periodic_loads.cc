@@ -115,6 +115,7 @@ double period_of_tables(const std::vector<PeriodicLoad> &loads,
                         const ParameterSection &section)
 {
   std::vector<double> of_tables;
+  of_tables.reserve(loads.size() + terminals.size());
   for (const PeriodicLoad &load : loads)
     of_tables.push_back(load.waveform->table_period());
   for (const TerminalEntries &terminal : terminals)

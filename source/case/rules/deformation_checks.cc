@@ -206,7 +206,7 @@ void check_moving_liquids(const Problem &problem, ParameterSection root)
 }
 
 /// Displacement and pressure at the start, which belong together.
-void check_initial_state(const InteriorData &interior, ParameterSection initial_state)
+void check_initial_state(const InteriorData &interior, const ParameterSection &initial_state)
 {
   if (!interior.initial_displacement.empty() && interior.initial_pressure.empty())
     initial_state.refuse("Displacement",
