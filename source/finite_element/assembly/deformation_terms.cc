@@ -302,7 +302,7 @@ void DeformationTerms<dim>::set_derivative(const Cell &cell, FullMatrix<double> 
     take_derivatives_of_points(has_body_force);
   else
   {
-    constexpr unsigned int n_numbers = n_numbers_of_direction<dim> * n_numbers_of_direction<dim>;
+    constexpr std::size_t n_numbers = n_numbers_of_direction<dim> * n_numbers_of_direction<dim>;
     derivative_at_points.resize(n_numbers * cells.n_points());
     solid_terms.set_derivative(here.all_points(), derivative_at_points.data());
     for (unsigned int q = 0; q < cells.n_points(); ++q)
