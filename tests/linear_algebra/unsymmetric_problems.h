@@ -120,6 +120,50 @@ inline Triplets liquid(const int m)
   return matrix;
 }
 
+/// As liquid(), with pressures at the nodes of cells of twice the width, each beside many
+/// velocities: eliminating these first leaves large pivots on the diagonal. `m`: even.
+inline Triplets liquid_with_few_pressures(const int m)
+{
+  Triplets matrix;
+  const int n_u = (m - 1) * m, width = m / 2 + 1;
+  matrix.n = 2 * n_u + width * width;
+  const auto add = [&matrix](const int row, const int column, const double value)
+  {
+    matrix.rows.push_back(row);
+    matrix.columns.push_back(column);
+    matrix.values.push_back(value);
+  };
+  for (int component = 0; component < 2; ++component)
+  {
+    const auto velocity = [&](const int along, const int across)
+    { return component * n_u + across * (m - 1) + along; };
+    const auto pressure = [&](const int along, const int across)
+    { return 2 * n_u + (component == 0 ? across * width + along : along * width + across); };
+    for (int along = 0; along < m - 1; ++along)
+      for (int across = 0; across < m; ++across)
+      {
+        const int row = velocity(along, across), node = std::min((along + 1) / 2, width - 2);
+        add(row, row, 4.5);
+        for (int side = -1; side <= 1; side += 2)
+        {
+          if (along + side >= 0 && along + side < m - 1)
+            add(row, velocity(along + side, across), -1. + 0.3 * side);
+          if (across + side >= 0 && across + side < m)
+            add(row, velocity(along, across + side), -1. - 0.2 * side);
+          for (int k = 0; k < 2; ++k)
+          {
+            const int of_node = pressure(node + (side + 1) / 2, across / 2 + k);
+            const double value = side * (k == across % 2 ? 0.75 : 0.25);
+            add(row, of_node, value);
+            add(of_node, row, -value);
+          }
+        }
+      }
+  }
+  add(2 * n_u, 2 * n_u, 1.);
+  return matrix;
+}
+
 /// [0 B; B^T 0] with B of convection and diffusion on m x m cells: no pivot is on the diagonal.
 inline Triplets without_diagonal(const int m)
 {
