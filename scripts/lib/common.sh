@@ -52,6 +52,13 @@ debian_number() {
   esac
 }
 
+# Puts what scripts/build/report-assets has brought into the build folder of a clean root, which has no npm: put_report_assets ROOT.
+put_report_assets() {
+  mkdir -p "$1/continua/build"
+  rm -rf "$1/continua/build/report-assets"
+  cp -R "$build_root/report-assets" "$1/continua/build"
+}
+
 # The packages of the groups named, one a line: what [GROUP] lists and what [GROUP RELEASE] adds.
 list_packages() {
   local release group

@@ -43,11 +43,16 @@ echo "echo 'Continua $(cat VERSION) (${WRONG_REVISION:-$(cat REVISION)})'" >buil
 chmod +x build/release/continua
 """,
     "scripts/test": "#!/bin/bash\necho tested\n",
+    "scripts/build/report-assets": """#!/bin/bash
+[ -z "${NO_NPM:-}" ] || { echo "npm is not installed" >&2; exit 1; }
+cd "$(dirname "$0")/../.." && mkdir -p build/report-assets
+echo chart >build/report-assets/library.js
+""",
     "scripts/build/package": """#!/bin/bash
 set -e
 case $DEBIAN in bookworm) number=12 ;; trixie) number=13 ;; esac
 mkdir -p build/package/DEBIAN build/package/usr/bin
-cp build/release/continua build/package/usr/bin
+cp build/release/continua build/report-assets/library.js build/package/usr/bin
 architecture=$(dpkg --print-architecture)
 version=$(cat VERSION)-deb$number
 printf '%s\\n' 'Package: continua' "Version: ${WRONG_PACKAGE:-$version}" "Architecture: $architecture" 'Maintainer: A <a@localhost>' \\
@@ -239,6 +244,9 @@ class Release(unittest.TestCase):
         line = f"Continua 1.2.3 ({self.git('rev-parse', 'HEAD')})"
         for name in ("quickstart-bookworm", "quickstart-trixie", "use-bookworm", "use-trixie"):
             self.assertIn(line, self.text(os.path.join(self.output, "logs", name + ".log")))
+        # The library of the reports' curves, which a clean root cannot bring.
+        for number in (12, 13):
+            self.assertIn("./usr/bin/library.js", self.run_tool("dpkg-deb", "--contents", os.path.join(self.output, self.package(number))))
         with tarfile.open(os.path.join(self.output, "continua-1.2.3-manual.tar.xz")) as stream:
             self.assertIn("continua-1.2.3-manual/reference/index.html", stream.getnames())
         check = f"build/release/continua --version | grep -xF '{line}'"
@@ -275,6 +283,10 @@ class Release(unittest.TestCase):
         self.assertEqual(self.called()[0], f"use: {self.package(13)}")
         self.assertIn("Not made yet: " + self.package(12), text)
         self.assertIn("Not checked yet: quickstart-bookworm use-bookworm test-bookworm test-trixie", text)
+
+    def test_report_assets_are_missing(self):
+        self.refuses(["--only", "packages"], "npm is not installed", NO_NPM="yes")
+        self.assertEqual(self.called(), [])
 
     def test_parts(self):
         self.makes("--only", "manual", "--debian", "bookworm")
