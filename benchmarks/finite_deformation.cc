@@ -47,13 +47,13 @@ public:
 
   Part residual, tangent, linearisation, solution, cell_matrices, product;
 
-  void add_nonlinear_terms(const BalancedStep &state,
+  void add_nonlinear_terms(const StepSolution &state,
                            DistributedVector &momentum,
                            DistributedVector &mass) override
   {
     residual.add([&]() { Base::add_nonlinear_terms(state, momentum, mass); });
   }
-  bool linearise(const BalancedStep &state) override
+  bool linearise(const StepSolution &state) override
   {
     // The integrals by themselves, which the next call makes again.
     tangent.add([&]() { Base::keep_derivative(state); });
@@ -61,7 +61,7 @@ public:
     linearisation.add([&]() { is_new = Base::linearise(state); });
     return is_new;
   }
-  void keep_derivative(const BalancedStep &state) override
+  void keep_derivative(const StepSolution &state) override
   {
     cell_matrices.add([&]() { Base::keep_derivative(state); });
   }
@@ -100,10 +100,10 @@ void measure(Report &report,
   const TimedTaylorHood<dim> &parts = *discretisation;
   DiscreteContinuum<dim> body(std::move(discretisation), input.problem, log);
   body.initialise();
-  // As the search for a state at rest has it.
-  Step step = euler_step(0., input.rest.time_step, Update::implicit);
+  // As the search for a steady state has it.
+  Step step = euler_step(0., input.steady.time_step, Update::implicit);
   step.balance_time = step.time = 0.;
-  step.is_towards_rest = true;
+  step.finds_steady_state = true;
   StepReport found;
   const double whole = processor_time([&]() { found = body.advance(step); }) - parts.tangent.time;
 

@@ -71,9 +71,9 @@ public:
   explicit HeldMotions(const std::vector<RigidMotion<dim>> &motions)
       : motions(motions),
         held(motions.size()),
-        whole(motions.size()),
+        mean_square(motions.size()),
         of_held(held),
-        of_whole(held),
+        of_square(held),
         displaced(motions.size())
   {
   }
@@ -89,7 +89,7 @@ public:
       {
         const Tensor<1, dim> a = motions[i](place), b = motions[j](place);
         const double of_normal = (a * normal) * (b * normal);
-        of_whole(i, j) += weight * (a * b);
+        of_square(i, j) += weight * (a * b);
         of_held(i, j) += weight * ((holds_normal ? of_normal : 0.) +
                                    (holds_tangential ? a * b - of_normal : 0.));
       }
@@ -111,10 +111,10 @@ public:
         for (std::size_t j = 0; j < motions.size(); ++j)
           of_held(i, j) += displaced[i] * displaced[j] / area;
       held.add(1. / area, of_held);
-      whole.add(1. / area, of_whole);
+      mean_square.add(1. / area, of_square);
     }
     of_held = 0.;
-    of_whole = 0.;
+    of_square = 0.;
     displaced = 0.;
     area = 0.;
   }
@@ -123,7 +123,7 @@ public:
 
 private:
   const std::vector<RigidMotion<dim>> &motions;
-  FullMatrix<double> held, whole, of_held, of_whole;
+  FullMatrix<double> held, mean_square, of_held, of_square;
   Vector<double> displaced;
   double area = 0.;
 };
@@ -133,7 +133,7 @@ std::vector<std::vector<double>> HeldMotions<dim>::free() const
 {
   const unsigned int n = motions.size();
   std::vector<std::vector<double>> result;
-  if (whole.frobenius_norm() == 0.)
+  if (mean_square.frobenius_norm() == 0.)
   {
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -148,15 +148,15 @@ std::vector<std::vector<double>> HeldMotions<dim>::free() const
   std::vector<double> scale(n);
   double largest = 0.;
   for (unsigned int i = 0; i < n; ++i)
-    largest = std::max(largest, motions[i].rotates ? 0. : whole(i, i));
+    largest = std::max(largest, motions[i].rotates ? 0. : mean_square(i, i));
   for (unsigned int i = 0; i < n; ++i)
-    scale[i] = 1. / std::sqrt(std::max(whole(i, i), 1e-20 * largest));
+    scale[i] = 1. / std::sqrt(std::max(mean_square(i, i), 1e-20 * largest));
   LAPACKFullMatrix<double> squares(n, n);
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
     {
       matrix(i, j) = scale[i] * scale[j] * held(i, j);
-      squares(i, j) = scale[i] * scale[j] * whole(i, j) + (i == j ? 1e-10 : 0.);
+      squares(i, j) = scale[i] * scale[j] * mean_square(i, j) + (i == j ? 1e-10 : 0.);
     }
   std::vector<Vector<double>> vectors(n, Vector<double>(n));
   matrix.compute_generalized_eigenvalues_symmetric(squares, vectors);

@@ -1,7 +1,7 @@
 #include <continua/analysis/frequency_analysis.h>
 
 #include <continua/analysis/harmonic_checks.h>
-#include <continua/analysis/rest_search.h>
+#include <continua/analysis/steady_search.h>
 
 namespace Continua
 {
@@ -12,12 +12,12 @@ void FrequencyAnalysis<dim>::start()
   if (run.input.problem.is_nonlinear())
   {
     run.log.line("Before the frequencies: the state at rest under the loads of the file");
-    RestSearch<dim> search(
+    SteadySearch<dim> search(
         run, [](const StepReport &, double, double) {}, "begin anew with --overwrite");
     if (run.input.problem.finds_unloaded_shape())
       search.find_unloaded_shape(true);
     else
-      search.perform(RestSearch<dim>::Loads::in_parts);
+      search.perform(SteadySearch<dim>::Loads::in_parts);
     run.solver->start_from_present_state();
   }
   system = harmonic_system_of(run);

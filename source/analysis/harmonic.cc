@@ -20,7 +20,7 @@ using namespace dealii;
 
 namespace
 {
-constexpr const char *another_way = "use Analysis = transient";
+constexpr const char *remedy_of_harmonic = "use Analysis = transient";
 /// From here on a residual is worth a warning.
 constexpr double noted_residual = 1e-9;
 
@@ -40,7 +40,7 @@ bool is_in_time(const BoundaryCondition &condition)
 
 /// At 0 Hz the body is at rest. Throws InputError.
 template <int dim>
-void check_rest(const Case<dim> &input, ParameterSection root)
+void check_other_rules(const Case<dim> &input, ParameterSection root)
 {
   ParameterSection harmonic = root.subsection("Harmonic");
   const Problem &problem = input.problem;
@@ -114,10 +114,10 @@ template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   if (input.problem.is_nonlinear())
-    check_loaded_state(input, root, another_way);
+    check_loaded_state(input, root, remedy_of_harmonic);
   else
-    check_no_states(input.problem, root, another_way);
-  check_harmonic_probes(input, root, another_way);
+    check_no_states(input.problem, root, remedy_of_harmonic);
+  check_harmonic_probes(input, root, remedy_of_harmonic);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;
   const std::string in_time =
@@ -128,7 +128,7 @@ void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
   const std::string instead =
       (input.problem.is_nonlinear() ? "Give its value in that state, or "
                                     : "Give its amplitude, and a Phase if it has one, or ") +
-      std::string(another_way);
+      std::string(remedy_of_harmonic);
   bool is_loaded = false;
   for (const std::vector<Waveform> *const force : {&interior.body_force, &interior.acceleration})
     for (const Waveform &component : *force)
@@ -152,7 +152,7 @@ void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
                 "Give an amplitude, such as Pressure = 1 Pa, or set Harmonic/Unit load at");
   check_phases(input, root, has_body_force);
   if (harmonic.frequencies.front() == 0.)
-    check_rest(input, root);
+    check_other_rules(input, root);
   if (harmonic.response_tolerance > 0. &&
       input.probes.expected_columns(field_names<dim>(input.problem)).empty())
     root.subsection("Harmonic")
@@ -232,7 +232,7 @@ void Harmonic<dim>::solve_range()
 
 template <int dim>
 std::vector<std::vector<std::complex<double>>>
-Harmonic<dim>::solve_further(const std::vector<double> &frequencies)
+Harmonic<dim>::solve_at_frequencies(const std::vector<double> &frequencies)
 {
   std::vector<Complex> points;
   points.reserve(frequencies.size());
@@ -263,7 +263,7 @@ void Harmonic<dim>::refine()
   options.most_frequencies = harmonic.most_frequencies;
   refinement = std::make_unique<FrequencyRefinement>(
       harmonic.lowest, harmonic.highest, harmonic.is_logarithmic,
-      [this](const std::vector<double> &frequencies) { return solve_further(frequencies); },
+      [this](const std::vector<double> &frequencies) { return solve_at_frequencies(frequencies); },
       options);
   std::ostringstream text;
   text << refinement->frequencies().size() << " frequencies from " << harmonic.lowest << " to "
@@ -278,7 +278,7 @@ void Harmonic<dim>::refine()
   for (const double frequency : harmonic.frequencies)
     if (known.count(frequency) == 0)
       listed.push_back(frequency);
-  solve_further(listed);
+  solve_at_frequencies(listed);
 }
 
 template <int dim>

@@ -1,6 +1,6 @@
 #include <continua/analysis/harmonic_checks.h>
 
-#include <continua/analysis/rest_search.h>
+#include <continua/analysis/steady_search.h>
 #include <continua/continuum/field_list.h>
 
 #include <algorithm>
@@ -114,7 +114,7 @@ template <int dim>
 void check_loaded_state(const Case<dim> &input, ParameterSection root, const std::string &remedy)
 {
   check_loads_of_state(input, root, remedy);
-  RestSearch<dim>::check(input, root, remedy);
+  SteadySearch<dim>::check(input, root, remedy);
   ParameterSection harmonic = root.subsection("Harmonic");
   if (input.harmonic.unit_load.empty())
     harmonic.refuse("Unit load at",

@@ -139,10 +139,10 @@ void ModeSearch<dim>::complete(std::vector<Eigenpair> &found, const unsigned int
 {
   while (found.size() < n_wanted)
   {
-    std::vector<Eigenpair> further = seek(n_wanted - found.size(), found);
-    if (further.empty())
+    std::vector<Eigenpair> more = seek(n_wanted - found.size(), found);
+    if (more.empty())
       break;
-    std::move(further.begin(), further.end(), std::back_inserter(found));
+    std::move(more.begin(), more.end(), std::back_inserter(found));
     sort_by_distance(found);
   }
   if (found.empty())
@@ -163,10 +163,10 @@ void ModeSearch<dim>::complete(std::vector<Eigenpair> &found, const unsigned int
   // that mode out, too, and asks for more.
   for (std::size_t n_surplus = 0; n_found < n_counted && n_surplus <= largest_surplus;)
   {
-    std::vector<Eigenpair> further = seek(n_counted - n_found + n_surplus, found);
-    if (further.empty())
+    std::vector<Eigenpair> more = seek(n_counted - n_found + n_surplus, found);
+    if (more.empty())
       break;
-    std::move(further.begin(), further.end(), std::back_inserter(found));
+    std::move(more.begin(), more.end(), std::back_inserter(found));
     sort_by_distance(found);
     const std::size_t n_now = n_inside();
     if (n_now == n_found)
@@ -253,15 +253,15 @@ void ModeSearch<dim>::choose_shapes(std::vector<Eigenpair> &pairs,
     for (unsigned int i = 0; i < m; ++i)
       for (unsigned int j = 0; j < m; ++j)
         gram(i, j) += energy(d, i, j);
-  FullMatrix<double> rest = axes_of(gram);
+  FullMatrix<double> remainder = axes_of(gram);
   for (unsigned int k = 0; k < m; ++k)
   {
     double size = 0.;
     for (unsigned int i = 0; i < m; ++i)
       for (unsigned int j = 0; j < m; ++j)
-        size += rest(i, k) * gram(i, j) * rest(j, k);
+        size += remainder(i, k) * gram(i, j) * remainder(j, k);
     for (unsigned int i = 0; i < m; ++i)
-      rest(i, k) /= std::sqrt(size);
+      remainder(i, k) /= std::sqrt(size);
   }
 
   FullMatrix<double> chosen(m, m);
@@ -274,14 +274,14 @@ void ModeSearch<dim>::choose_shapes(std::vector<Eigenpair> &pairs,
   };
   for (unsigned int motion = 0; motion < motions.size() && n_chosen < m; ++motion)
   {
-    const unsigned int n_left = rest.n();
-    std::vector<double> of_rest(n_left, 0.);
+    const unsigned int n_left = remainder.n();
+    std::vector<double> of_remainder(n_left, 0.);
     double size = 0.;
     for (unsigned int k = 0; k < n_left; ++k)
     {
       for (unsigned int i = 0; i < m; ++i)
-        of_rest[k] += rest(i, k) * part(motion, i);
-      size += of_rest[k] * of_rest[k];
+        of_remainder[k] += remainder(i, k) * part(motion, i);
+      size += of_remainder[k] * of_remainder[k];
     }
     if (size < smallest_share * motions[motion].inertia)
       continue;
@@ -289,23 +289,23 @@ void ModeSearch<dim>::choose_shapes(std::vector<Eigenpair> &pairs,
     FullMatrix<double> dyad(n_left, n_left);
     for (unsigned int k = 0; k < n_left; ++k)
       for (unsigned int l = 0; l < n_left; ++l)
-        dyad(k, l) = of_rest[k] * of_rest[l] / size;
+        dyad(k, l) = of_remainder[k] * of_remainder[l] / size;
     const FullMatrix<double> axes = axes_of(dyad);
-    take(columns_of_product(rest, axes, 0), 0);
+    take(columns_of_product(remainder, axes, 0), 0);
     if (n_chosen < m)
-      rest = columns_of_product(rest, axes, 1);
+      remainder = columns_of_product(remainder, axes, 1);
   }
   if (n_chosen < m)
   {
-    const unsigned int n_left = rest.n();
+    const unsigned int n_left = remainder.n();
     FullMatrix<double> difference(n_left, n_left);
     for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int k = 0; k < n_left; ++k)
         for (unsigned int l = 0; l < n_left; ++l)
           for (unsigned int i = 0; i < m; ++i)
             for (unsigned int j = 0; j < m; ++j)
-              difference(k, l) += (dim - d) * rest(i, k) * energy(d, i, j) * rest(j, l);
-    const FullMatrix<double> axes = columns_of_product(rest, axes_of(difference), 0);
+              difference(k, l) += (dim - d) * remainder(i, k) * energy(d, i, j) * remainder(j, l);
+    const FullMatrix<double> axes = columns_of_product(remainder, axes_of(difference), 0);
     for (unsigned int k = 0; k < n_left; ++k)
       take(axes, k);
   }

@@ -17,7 +17,7 @@ namespace Continua
 {
 namespace
 {
-constexpr const char *another_way_for_pulses = "use Analysis = transient";
+constexpr const char *remedy_of_pulses = "use Analysis = transient";
 /// e^(a T) of the duration T: what comes back is that much smaller.
 constexpr double growth_of_duration = 1e4;
 /// The filter is exp(-strength (part of the last point)^power): 1e-8 at the end.
@@ -36,8 +36,8 @@ constexpr double noted_difference_by_twice = 10. / growth_of_duration;
 template <int dim>
 void PulseResponse<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_harmonic_probes(input, root, another_way_for_pulses);
-  check_no_states(input.problem, root, another_way_for_pulses);
+  check_harmonic_probes(input, root, remedy_of_pulses);
+  check_no_states(input.problem, root, remedy_of_pulses);
   ParameterSection time = root.subsection("Time");
   if (!input.time.changes.empty())
     time.refuse("Time step changes", "the times of a pulse response have equal distances",

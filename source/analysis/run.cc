@@ -194,7 +194,7 @@ void Run<dim>::finish(const unsigned int n_steps, const double time)
     input.error_norms.finish(*solver, time, input.problem.model, summary);
   summary.set("steps", static_cast<double>(n_steps));
 
-  for (const std::string &key : input.expected_of_others)
+  for (const std::string &key : input.expected_of_other_analyses)
     log.line("check: " + key + ": left out, since Analysis = " + input.general.analysis +
              " does not state it");
   bool all_passed = true;

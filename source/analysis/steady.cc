@@ -1,6 +1,6 @@
 #include <continua/analysis/steady.h>
 
-#include <continua/analysis/rest_search.h>
+#include <continua/analysis/steady_search.h>
 #include <continua/base/interruption.h>
 #include <continua/base/table_writer.h>
 #include <continua/postprocess/field_writer.h>
@@ -14,7 +14,7 @@ namespace Continua
 template <int dim>
 void Steady<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  RestSearch<dim>::check(input, root, "use Analysis = transient");
+  SteadySearch<dim>::check(input, root, "use Analysis = transient");
   const std::vector<Material> &materials = input.problem.materials;
   const bool has_solid =
       std::any_of(materials.begin(), materials.end(),
@@ -41,7 +41,7 @@ void Steady<dim>::perform()
   run.initialise();
   flow.start(0., 0.);
   Case<dim> &input = run.input;
-  const double time = input.rest.time_of_loads;
+  const double time = input.steady.time_of_loads;
   input.probes.open(run.directory.file("probes.csv"));
 
   std::unique_ptr<TableWriter> table;
@@ -127,14 +127,14 @@ void Steady<dim>::record_load(const double load)
 template <int dim>
 void Steady<dim>::solve(const bool loads_come)
 {
-  const double time = run.input.rest.time_of_loads;
+  const double time = run.input.steady.time_of_loads;
   if (run.solver->steady_is_direct())
     run.solver->solve_steady(time);
   else
   {
     // The last row is that of the state at rest, whatever the step with the last part came to.
-    const bool has_table = loads_come && run.input.rest.load_steps > 1;
-    const RestSearch<dim> *search = nullptr;
+    const bool has_table = loads_come && run.input.steady.load_steps > 1;
+    const SteadySearch<dim> *search = nullptr;
     const auto sink = [&](const StepReport &report, const double passed, double)
     {
       if (has_table && search != nullptr && search->present_load() > last_load &&
@@ -148,14 +148,14 @@ void Steady<dim>::solve(const bool loads_come)
     const std::string interrupted = "a steady analysis begins anew";
     const bool finds_unloaded_shape = run.input.problem.finds_unloaded_shape();
     if (finds_unloaded_shape)
-      RestSearch<dim>(run, sink, interrupted).find_unloaded_shape(loads_come);
-    using Loads = typename RestSearch<dim>::Loads;
-    RestSearch<dim> to_rest(run, sink, interrupted);
-    search = &to_rest;
-    to_rest.perform(finds_unloaded_shape && time != 0.    ? Loads::along_time
-                    : !finds_unloaded_shape && loads_come ? Loads::in_parts
-                                                          : Loads::present,
-                    time);
+      SteadySearch<dim>(run, sink, interrupted).find_unloaded_shape(loads_come);
+    using Loads = typename SteadySearch<dim>::Loads;
+    SteadySearch<dim> from_loads(run, sink, interrupted);
+    search = &from_loads;
+    from_loads.perform(finds_unloaded_shape && time != 0.    ? Loads::along_time
+                       : !finds_unloaded_shape && loads_come ? Loads::in_parts
+                                                             : Loads::present,
+                       time);
     if (has_table && last_load > 0.)
       record_load(1.);
   }

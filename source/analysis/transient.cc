@@ -1,7 +1,7 @@
 #include <continua/analysis/transient.h>
 
 #include <continua/analysis/linear_wave_theory.h>
-#include <continua/analysis/rest_search.h>
+#include <continua/analysis/steady_search.h>
 #include <continua/analysis/stream_report.h>
 #include <continua/base/atomic_file.h>
 #include <continua/base/collective.h>
@@ -47,11 +47,11 @@ void Transient<dim>::check(const Case<dim> &input, ParameterSection root)
   LinearWaveTheory<dim>::check_overlay(input, root);
   StreamReport<dim>::check(input, root);
   const bool finds_unloaded_shape = input.problem.finds_unloaded_shape();
-  if (!input.problem.interior.starts_at_rest_under_loads && !finds_unloaded_shape)
+  if (!input.problem.interior.starts_steady_under_loads && !finds_unloaded_shape)
     return;
   const std::string remedy =
       finds_unloaded_shape ? "set Unloaded shape = mesh" : "set Initial state/Type = given";
-  RestSearch<dim>::check(input, root, remedy);
+  SteadySearch<dim>::check(input, root, remedy);
 }
 
 template <int dim>
@@ -127,11 +127,11 @@ void Transient<dim>::start()
   report_how_to_stop();
   adapt_before_start();
   if (run.input.problem.finds_unloaded_shape())
-    RestSearch<dim>(
+    SteadySearch<dim>(
         run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
         .find_unloaded_shape(true);
-  else if (run.input.problem.interior.starts_at_rest_under_loads)
-    start_from_rest_under_loads();
+  else if (run.input.problem.interior.starts_steady_under_loads)
+    start_steady_under_loads();
   else
     report_initial_jumps();
   if (const std::string text = network_at_start(run.input); !text.empty())
@@ -147,15 +147,15 @@ void Transient<dim>::start()
 }
 
 template <int dim>
-void Transient<dim>::start_from_rest_under_loads()
+void Transient<dim>::start_steady_under_loads()
 {
   const bool is_mean = run.input.problem.interior.starts_under_mean_loads;
   run.log.line(is_mean
                    ? "Before the start: the steady state under the mean of the loads over a beat"
                    : "Before the start: the steady state under the loads at t = 0");
-  RestSearch<dim>(
+  SteadySearch<dim>(
       run, [](const StepReport &, double, double) {}, "begin anew with --overwrite")
-      .perform(RestSearch<dim>::Loads::in_parts, is_mean ? mean_over_period : 0.);
+      .perform(SteadySearch<dim>::Loads::in_parts, is_mean ? mean_over_period : 0.);
   run.solver->start_from_present_state();
 }
 
@@ -518,9 +518,9 @@ void Transient<dim>::step()
                 "of the flow, or set Flow/Time treatment = newton";
       throw RunError(text.str());
     }
-    const bool is_whole = parts.empty();
+    const bool ends_step = parts.empty();
     // What a beat was decides whether this state is the last one, which the records then take.
-    const bool ends_beat = is_whole && beats.ends_beat(time);
+    const bool ends_beat = ends_step && beats.ends_beat(time);
     if (ends_beat)
     {
       record_probes();
@@ -528,12 +528,12 @@ void Transient<dim>::step()
     }
     for (const ScheduledRecord<dim> &entry : records)
       entry.record->record(
-          {*run.solver, part, time, size, is_whole,
-           is_whole && (entry.schedule.due(time, size) ||
-                        (ends_beat && beats.ends_run() && entry.schedule.takes_end())),
+          {*run.solver, part, time, size, ends_step,
+           ends_step && (entry.schedule.due(time, size) ||
+                         (ends_beat && beats.ends_run() && entry.schedule.takes_end())),
            run.log});
     // After the ledger, which has made the forces that a probe may ask for.
-    if (is_whole && !ends_beat && probe_schedule.due(time, size))
+    if (ends_step && !ends_beat && probe_schedule.due(time, size))
       record_probes();
   }
   if (step_is_divided)

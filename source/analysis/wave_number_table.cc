@@ -22,8 +22,8 @@ using Complex = std::complex<double>;
 
 /// The waves of a section are followed from a frequency that is lower than the lowest one by this,
 /// where their first guess is good, with so many frequencies on the way.
-constexpr double way_to_lowest_frequency = 30.;
-constexpr unsigned int n_on_the_way = 18;
+constexpr double lowest_frequency_ratio = 30.;
+constexpr unsigned int n_below_lowest = 18;
 
 /// " at 10 Hz"
 std::string of_frequency(const double frequency)
@@ -67,8 +67,8 @@ WaveNumberTable<dim>::theory_of(const StationsProbe &probe) const
   for (const ProbeResponse &row : rows)
     frequencies.insert(row.frequency);
   const double lowest = *frequencies.begin();
-  for (unsigned int k = 1; k <= n_on_the_way; ++k)
-    frequencies.insert(lowest * std::pow(way_to_lowest_frequency, -1. * k / n_on_the_way));
+  for (unsigned int k = 1; k <= n_below_lowest; ++k)
+    frequencies.insert(lowest * std::pow(lowest_frequency_ratio, -1. * k / n_below_lowest));
   try
   {
     const TubeSection section = tube_section_at(run.input, branches[probe.branch].law, middle);

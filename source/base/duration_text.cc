@@ -8,15 +8,15 @@ namespace Continua
 {
 std::string duration_text(const double seconds)
 {
-  const long whole = std::lround(seconds);
+  const long n_seconds = std::lround(seconds);
   std::ostringstream text;
   text << std::setfill('0');
-  if (whole >= 3600)
-    text << whole / 3600 << " h " << std::setw(2) << whole % 3600 / 60 << " min";
-  else if (whole >= 60)
-    text << whole / 60 << " min " << std::setw(2) << whole % 60 << " s";
+  if (n_seconds >= 3600)
+    text << n_seconds / 3600 << " h " << std::setw(2) << n_seconds % 3600 / 60 << " min";
+  else if (n_seconds >= 60)
+    text << n_seconds / 60 << " min " << std::setw(2) << n_seconds % 60 << " s";
   else
-    text << whole << " s";
+    text << n_seconds << " s";
   return text.str();
 }
 } // namespace Continua

@@ -124,7 +124,7 @@ NumericEntry::NumericEntry(const ParameterFile &file,
 bool NumericEntry::accepts(const double number) const
 {
   return std::isfinite(number) && contains(form.range, number) &&
-         (!form.is_whole || number == std::floor(number));
+         (!form.is_integer || number == std::floor(number));
 }
 
 std::vector<std::pair<std::string, std::string>>
@@ -157,8 +157,8 @@ NumericEntry::settings(const std::vector<NumericEntry> &entries, const std::vect
     const std::string unit = samples[path]->unit();
     std::vector<std::string> texts;
     for (const double value : values[path])
-      texts.push_back((samples[path]->form.is_whole ? std::to_string(std::lround(value))
-                                                    : shortest_number(value)) +
+      texts.push_back((samples[path]->form.is_integer ? std::to_string(std::lround(value))
+                                                      : shortest_number(value)) +
                       (unit == "1" ? "" : " " + unit));
     result.emplace_back(path, joined(texts));
   }

@@ -83,9 +83,9 @@ bool QuantityNames::find(ExpectedValue &expected) const
   return false;
 }
 
-void QuantityNames::refuse_others(const ParameterSection &section,
-                                  const std::string &key,
-                                  std::vector<std::string> &asked) const
+void QuantityNames::refuse_unknown(const ParameterSection &section,
+                                   const std::string &key,
+                                   std::vector<std::string> &asked) const
 {
   const std::vector<std::string> known = labels();
   const auto is_known = [&](const std::string &label)
@@ -100,8 +100,8 @@ void QuantityNames::refuse_others(const ParameterSection &section,
   }
 }
 
-void QuantityNames::refuse_others(const ParameterSection &section,
-                                  std::vector<ExpectedValue> &expected) const
+void QuantityNames::refuse_unknown(const ParameterSection &section,
+                                   std::vector<ExpectedValue> &expected) const
 {
   for (ExpectedValue &value : expected)
     if (!find(value))
@@ -111,9 +111,9 @@ void QuantityNames::refuse_others(const ParameterSection &section,
     }
 }
 
-void QuantityNames::refuse_others(ParameterFile &file,
-                                  const ParameterSection &section,
-                                  std::vector<ExpectedValue> &expected) const
+void QuantityNames::refuse_unknown(ParameterFile &file,
+                                   const ParameterSection &section,
+                                   std::vector<ExpectedValue> &expected) const
 {
   for (ExpectedValue &value : expected)
   {

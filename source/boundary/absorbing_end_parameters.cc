@@ -17,11 +17,12 @@ void AbsorbingEndParameters::read(ParameterSection &section)
               "Largest relative error of the impedance over the band. A wave comes back with half "
               "of the error.",
               Range{1e-6, 0.5, false, false});
-  section.add("Mean pressure", mean_pressure, Dimensions::pressure,
-              "Pressure p0 of the state about which waves are small: the end lets those of p - p0 "
-              "pass. In finite deformation the tube that goes on is under it. A search for rest "
-              "before the start holds it at the end, and flow rates then count from those of that "
-              "state.");
+  section.add(
+      "Mean pressure", mean_pressure, Dimensions::pressure,
+      "Pressure p0 of the state about which waves are small: the end lets those of p - p0 "
+      "pass. In finite deformation the tube that goes on is under it. A search for a steady state "
+      "before the start holds it at the end, and flow rates then count from those of that "
+      "state.");
   has_mean_pressure = section.given("Mean pressure");
 }
 } // namespace Continua

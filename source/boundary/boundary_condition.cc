@@ -283,8 +283,10 @@ void read_windkessel(ParameterSection &section, BoundaryCondition &condition, un
   read_outlet(section, condition, outlet);
   double initial_pressure = std::numeric_limits<double>::quiet_NaN();
   section.add("Initial pressure", initial_pressure, Dimensions::pressure,
-              "Pressure of the compliance at t = 0, which a search for rest before it keeps; left "
-              "out: the pressure behind, so that it is empty, and in a search for rest that of the "
+              "Pressure of the compliance at t = 0, which a search for a steady state before it "
+              "keeps; left "
+              "out: the pressure behind, so that it is empty, and in a search for a steady state "
+              "that of the "
               "steady flow.");
   if (section.given("Initial pressure"))
   {

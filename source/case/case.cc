@@ -186,7 +186,7 @@ void Case<dim>::read_analysis(ParameterSection root)
       harmonic.read(root.subsection("Harmonic"));
       // Of the state about which the motion is small.
       if (problem.is_nonlinear())
-        rest.read(root.subsection("Steady"), true);
+        steady.read(root.subsection("Steady"), true);
       else if (root.sets_in_subsection("Steady"))
         root.subsection("Steady").refuse("",
                                          "Analysis = harmonic reads this section in finite "
@@ -210,10 +210,10 @@ void Case<dim>::read_analysis(ParameterSection root)
     }
   }
   else
-    rest.read(root.subsection("Steady"), problem.is_nonlinear());
+    steady.read(root.subsection("Steady"), problem.is_nonlinear());
   if (analysis.is_transient() &&
-      (problem.interior.starts_at_rest_under_loads || problem.finds_unloaded_shape()))
-    rest.read(root.subsection("Steady"), problem.is_nonlinear());
+      (problem.interior.starts_steady_under_loads || problem.finds_unloaded_shape()))
+    steady.read(root.subsection("Steady"), problem.is_nonlinear());
   else if (ParameterSection steady = root.subsection("Steady");
            analysis.is_transient() && root.sets_in_subsection("Steady"))
     steady.refuse("",
@@ -325,19 +325,19 @@ void Case<dim>::name_all_quantities(ParameterFile &file)
   ParameterSection root = file.root();
   power_laws.name_quantities(quantities);
   analysis.name_quantities(*this, quantities);
-  if (analysis.name_others != nullptr)
+  if (analysis.name_quantities_of_others != nullptr)
   {
     QuantityNames others;
-    analysis.name_others(*this, others);
+    analysis.name_quantities_of_others(*this, others);
     const auto left_out =
         std::stable_partition(expected.begin(), expected.end(),
                               [&](const ExpectedValue &value)
                               { return quantities.states(value) || !others.states(value); });
     for (auto value = left_out; value != expected.end(); ++value)
-      expected_of_others.push_back(value->key);
+      expected_of_other_analyses.push_back(value->key);
     expected.erase(left_out, expected.end());
   }
-  quantities.refuse_others(file, root.subsection("Expected"), expected);
+  quantities.refuse_unknown(file, root.subsection("Expected"), expected);
 }
 
 template <int dim>

@@ -53,19 +53,20 @@ void GeneralParameters::read(ParameterSection root,
       "mesh, in balance and at rest.");
 }
 
-void RestParameters::read(ParameterSection section, const bool is_nonlinear)
+void SteadyParameters::read(ParameterSection section, const bool is_nonlinear)
 {
-  section.add("Time step", time_step, Dimensions::time,
-              "First of the steps of backward Euler that lead to rest with convection or finite "
-              "deformation. If it is not given, a first step without a solution is made anew at a "
-              "quarter of its size until there is one. The state at rest does not depend on it. "
-              "Linear equations of rest are solved without steps.",
-              Range::positive());
+  section.add(
+      "Time step", time_step, Dimensions::time,
+      "First of the steps of backward Euler that lead to a steady state with convection or finite "
+      "deformation. If it is not given, a first step without a solution is made anew at a "
+      "quarter of its size until there is one. The state at rest does not depend on it. "
+      "Linear steady equations are solved without steps.",
+      Range::positive());
   finds_first_step = !section.given("Time step");
   section.add("Tolerance", tolerance, Dimensions::none,
               "The steps of backward Euler end when the velocity changes in one by less than this "
               "fraction of the largest velocity so far; the change of a step that was halved "
-              "counts as that of Time step. The solves of the equations of rest, which follow, "
+              "counts as that of Time step. The solves of the steady equations, which follow, "
               "end when one changes the displacement of each solid and the forces of each liquid "
               "by less than this fraction of them.",
               Range::positive());

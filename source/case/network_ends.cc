@@ -305,7 +305,7 @@ std::string network_at_start(const Case<dim> &input)
   if (!input.network)
     return "";
   const InteriorData &interior = input.problem.interior;
-  if (interior.starts_at_rest_under_loads)
+  if (interior.starts_steady_under_loads)
     return "The network starts at rest: what flows out of the body at t = 0 meets it as a jump";
   const unsigned int c = conditions_at_network(input.problem).front();
   const BoundaryCondition &condition = input.problem.conditions[c];

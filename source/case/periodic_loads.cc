@@ -139,7 +139,7 @@ double period_of_tables(const std::vector<PeriodicLoad> &loads,
   return period;
 }
 
-bool is_whole(const double number)
+bool is_integer(const double number)
 {
   return std::abs(number - std::round(number)) <= count_slack * std::max(1., number) &&
          number > 0.5;
@@ -171,7 +171,7 @@ void check_times(const Case<dim> &input, ParameterSection root, const bool perio
         "state compares them",
         "Remove the entry, or the section Periodic state");
   const double n_steps = period / time.time_step;
-  if (!is_whole(n_steps))
+  if (!is_integer(n_steps))
     of_time.refuse("Time step",
                    "a beat of " + beat +
                        " is no whole number of time steps, so that the beats do "
@@ -179,7 +179,7 @@ void check_times(const Case<dim> &input, ParameterSection root, const bool perio
                    "Give a step that divides the beat, such as " +
                        shortest_number(period / std::ceil(n_steps)) + " s");
   const double interval = input.output.probe_interval;
-  if (interval > 0. && (!is_whole(interval / time.time_step) || !is_whole(period / interval)))
+  if (interval > 0. && (!is_integer(interval / time.time_step) || !is_integer(period / interval)))
     root.subsection("Output").refuse(
         "Probe interval",
         "the rows of probes.csv are those that Periodic state compares, and the beats of " + beat +

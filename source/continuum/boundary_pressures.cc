@@ -66,7 +66,7 @@ void BoundaryPressures::build()
   const std::vector<double> volumes = volumes_at(zero_velocity);
   for (Row &row : rows)
     if (row.cavity >= 0)
-      row.rest_volume = volumes[row.cavity];
+      row.undeformed_volume = volumes[row.cavity];
   matrix.reinit(rows.size(), rows.size());
   differences.reinit(rows.size());
   changes.reinit(rows.size());
@@ -106,16 +106,16 @@ void BoundaryPressures::begin_step(const Step &step)
            << " and not positive (Boundaries/" << condition.name << "/Volume ratio)";
       throw RunError(text.str());
     }
-    rows[i].given = rows[i].rest_volume * (1. + step.load_factor * (value - 1.));
+    rows[i].given = rows[i].undeformed_volume * (1. + step.load_factor * (value - 1.));
   }
 }
 
-void BoundaryPressures::measure(const BalancedStep &balanced)
+void BoundaryPressures::measure(const StepSolution &solution)
 {
   if (is_empty())
     return;
   const DistributedVector &displacement =
-      problem.mesh_moves ? balanced.mesh_displacement : balanced.displacement;
+      problem.mesh_moves ? solution.mesh_displacement : solution.displacement;
   const std::vector<double> volumes = volumes_at(displacement);
   for (unsigned int i = 0; i < rows.size(); ++i)
   {
@@ -130,10 +130,10 @@ void BoundaryPressures::measure(const BalancedStep &balanced)
     operators.ports().set_flow_of_velocities(conditions[i], displacement, row.force);
     row.force *= -1.;
     row.derivative.equ(1., row.force);
-    row.value = row.derivative * balanced.velocity - row.derivative * balanced.mesh_velocity;
+    row.value = row.derivative * solution.velocity - row.derivative * solution.mesh_velocity;
     row.size =
-        std::max(largest_flow_rates[i], sum_of_sizes(row.derivative, balanced.velocity) +
-                                            sum_of_sizes(row.derivative, balanced.mesh_velocity));
+        std::max(largest_flow_rates[i], sum_of_sizes(row.derivative, solution.velocity) +
+                                            sum_of_sizes(row.derivative, solution.mesh_velocity));
   }
 }
 
@@ -213,10 +213,10 @@ std::vector<double> BoundaryPressures::pressures() const
   return numbers;
 }
 
-void BoundaryPressures::finish_step(const BalancedStep &balanced)
+void BoundaryPressures::finish_step(const StepSolution &solution)
 {
   for (unsigned int i = 0; i < present.size(); ++i)
-    present[i].pressure = balanced.boundary_pressures[i];
+    present[i].pressure = solution.boundary_pressures[i];
 }
 
 const std::vector<CavityState> &BoundaryPressures::states(const DistributedVector &displacement)

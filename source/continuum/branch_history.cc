@@ -48,7 +48,7 @@ void advance_entries(const BranchCoefficients &c,
                      const bool extrapolate,
                      const std::size_t n,
                      const double *const start,
-                     const double *const balanced,
+                     const double *const at_level,
                      const double *const present,
                      double *const next)
 {
@@ -58,10 +58,10 @@ void advance_entries(const BranchCoefficients &c,
                of_present = scale * c.old - (extrapolate ? 1. : 0.), of_older = scale * c.older;
   if (of_start == 0. && of_older == 0.)
     for (std::size_t i = 0; i < n; ++i)
-      next[i] = of_balanced * balanced[i] + of_present * present[i];
+      next[i] = of_balanced * at_level[i] + of_present * present[i];
   else
     for (std::size_t i = 0; i < n; ++i)
-      next[i] = of_balanced * balanced[i] + of_present * present[i] + of_older * next[i] +
+      next[i] = of_balanced * at_level[i] + of_present * present[i] + of_older * next[i] +
                 of_start * start[i];
 }
 } // namespace
@@ -304,11 +304,11 @@ void BranchHistory::forgotten_velocity(const double relaxation_time,
     return;
   }
   // The exponential update obeys the equation over the step as a whole.
-  const double *const balanced = velocity.begin();
+  const double *const at_level = velocity.begin();
   const double size = step.time - step.time_old;
   set_at_nodes(relaxation_time, forgotten,
-               [balanced, size](const double present, const double older, const unsigned int i)
-               { return balanced[i] - (present - older) / size; });
+               [at_level, size](const double present, const double older, const unsigned int i)
+               { return at_level[i] - (present - older) / size; });
 }
 
 double BranchHistory::step_stiffness(const Material &material, const Step &step)

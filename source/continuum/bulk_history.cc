@@ -88,12 +88,12 @@ void BulkHistory::advance(const Step &step, const DistributedVector &pressure)
     if (has(r))
     {
       Region &region = of_region[r];
-      double *const balanced = region.balanced_rate.begin();
+      double *const level_rate = region.balanced_rate.begin();
       double *const rate = region.rate.begin();
       predict(r, step, region.balanced_rate);
       const double inverse_modulus = 1. / step_modulus(materials[r], step);
       for (const unsigned int i : region.nodes)
-        balanced[i] = inverse_modulus * (balanced[i] - pressure.begin()[i]);
+        level_rate[i] = inverse_modulus * (level_rate[i] - pressure.begin()[i]);
       for (unsigned int k = 0; k < region.dilatations.size(); ++k)
       {
         const BranchCoefficients c =
@@ -102,14 +102,14 @@ void BulkHistory::advance(const Step &step, const DistributedVector &pressure)
         double *const next = region.dilatations[k].older.begin();
         for (const unsigned int i : region.nodes)
         {
-          const double at_level = c.velocity * balanced[i] + c.old * present[i] +
+          const double at_level = c.velocity * level_rate[i] + c.old * present[i] +
                                   c.older * next[i] + c.velocity_old * rate[i];
           next[i] = step.extrapolate ? 2. * at_level - present[i] : at_level;
         }
         region.dilatations[k].present.swap(region.dilatations[k].older);
       }
       for (const unsigned int i : region.nodes)
-        rate[i] = step.extrapolate ? 2. * balanced[i] - rate[i] : balanced[i];
+        rate[i] = step.extrapolate ? 2. * level_rate[i] - rate[i] : level_rate[i];
     }
 }
 

@@ -20,20 +20,20 @@ public:
   {
     const double density = context.problem.materials[region].density;
     if (context.operators.variant().reports_change_of_kinetic_energy())
-      return 0.5 * density / step.balanced.step.size() *
+      return 0.5 * density / step.solution.step.size() *
              (square(region, step.end, context) - square(region, step.start, context));
-    const double further =
+    const double of_terms =
         context.operators.is_nonlinear_in(region) ? context.nonlinear_powers.inertia : 0.;
-    if (context.is_whole(region))
-      return further;
+    if (context.has_all_terms_in(region))
+      return of_terms;
     if (context.has_products_of_step(region))
-      context.products->set_inertia(region, step.balanced.step, context.force);
+      context.products->set_inertia(region, step.solution.step, context.force);
     else
-      context.operators.products().multiply_mass(region, context.force, step.balanced.acceleration);
+      context.operators.products().multiply_mass(region, context.force, step.solution.acceleration);
     context.force *= density;
     if (forces != nullptr)
       forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity) + further;
+    return local_product(context.force, step.solution.velocity) + of_terms;
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
@@ -67,20 +67,20 @@ public:
       return context.nonlinear_powers.strain;
     if (context.has_products(region) && context.products->is_elastic(region))
     {
-      context.products->set_stiffness(region, step.balanced.step, context.force);
+      context.products->set_stiffness(region, step.solution.step, context.force);
       context.force *= context.products->spring(region);
     }
-    else if (context.history.mix_balanced(region, step.balanced.step, context.mixture))
-      context.operators.variant().set_reported_stress_force(region, step.balanced, context.mixture,
+    else if (context.history.mix_balanced(region, step.solution.step, context.mixture))
+      context.operators.variant().set_reported_stress_force(region, step.solution, context.mixture,
                                                             context.force);
     else
       return 0.;
     if (forces != nullptr)
       forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity);
+    return local_product(context.force, step.solution.velocity);
   }
   double relaxation_power(const unsigned int region,
-                          const BalancedStep &step,
+                          const StepSolution &step,
                           TermContext &context) const override
   {
     if (is_finite(region, context))
@@ -134,17 +134,17 @@ public:
     const Shear &shear = context.problem.materials[region].shear;
     if (shear.viscosity == 0.)
       return 0.;
-    if (context.is_whole(region))
+    if (context.has_all_terms_in(region))
       return context.nonlinear_powers.viscosity;
     if (context.has_products_of_step(region))
-      context.products->set_stiffness_of_velocity(region, step.balanced.step, context.force);
+      context.products->set_stiffness_of_velocity(region, step.solution.step, context.force);
     else
       context.operators.products().multiply_stiffness(region, context.force,
-                                                      step.balanced.velocity);
+                                                      step.solution.velocity);
     context.force *= shear.viscosity;
     if (forces != nullptr)
       forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity) +
+    return local_product(context.force, step.solution.velocity) +
            (shear.flow_curve ? context.nonlinear_powers.viscosity : 0.);
   }
 };
@@ -158,20 +158,20 @@ public:
                TermContext &context,
                DistributedVector *const forces) const override
   {
-    if (context.is_whole(region))
+    if (context.has_all_terms_in(region))
       return context.nonlinear_powers.compression;
     if (forces == nullptr && context.products != nullptr &&
-        context.products->has_divergence(region, step.balanced.step))
-      return -local_product(context.products->divergence(region), step.balanced.pressure);
+        context.products->has_divergence(region, step.solution.step))
+      return -local_product(context.products->divergence(region), step.solution.pressure);
     if (forces == nullptr)
-      return context.operators.products().pressure_power(region, step.balanced.velocity,
-                                                         step.balanced.pressure);
-    context.operators.products().multiply_gradient(region, context.force, step.balanced.pressure);
+      return context.operators.products().pressure_power(region, step.solution.velocity,
+                                                         step.solution.pressure);
+    context.operators.products().multiply_gradient(region, context.force, step.solution.pressure);
     forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity);
+    return local_product(context.force, step.solution.velocity);
   }
   double relaxation_power(const unsigned int region,
-                          const BalancedStep &step,
+                          const StepSolution &step,
                           TermContext &context) const override
   {
     double sum = 0.;
@@ -232,11 +232,11 @@ public:
                DistributedVector *const forces) const override
   {
     context.history.balanced_displacement(std::numeric_limits<double>::infinity(),
-                                          step.balanced.step, context.mixture);
+                                          step.solution.step, context.mixture);
     context.operators.products().multiply_support_stiffness(region, context.force, context.mixture);
     if (forces != nullptr)
       forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity);
+    return local_product(context.force, step.solution.velocity);
   }
   double energy(const unsigned int region, const State &state, TermContext &context) const override
   {
@@ -256,10 +256,10 @@ public:
                DistributedVector *const forces) const override
   {
     context.operators.products().multiply_support_damping(region, context.force,
-                                                          step.balanced.velocity);
+                                                          step.solution.velocity);
     if (forces != nullptr)
       forces->add(1., context.force);
-    return local_product(context.force, step.balanced.velocity);
+    return local_product(context.force, step.solution.velocity);
   }
 };
 

@@ -122,8 +122,8 @@ void FieldProbes<dim>::build(const unsigned int number)
   // What is fixed in space need not be where the body is.
   if (measure == 0. && !probe.request.is_fixed_in_space)
     throw std::invalid_argument(what_is_missing(probe.request.kind));
-  const bool is_whole = probe.request.is_integral() || probe.request.has_no_field();
-  probe.factor = is_whole || measure == 0. ? 1. : 1. / measure;
+  const bool is_total = probe.request.is_integral() || probe.request.has_no_field();
+  probe.factor = is_total || measure == 0. ? 1. : 1. / measure;
   probe.weights = ProbeWeights(weights, probe.factor);
 }
 

@@ -62,35 +62,35 @@ const DistributedVector &Ledger::forces_at_nodes(const FinishedStep &step,
 }
 
 void Ledger::set_nonlinear_powers(const unsigned int region,
-                                  const BalancedStep &balanced,
+                                  const StepSolution &solution,
                                   DistributedVector *const at_nodes)
 {
   NonlinearPowers &powers = context.nonlinear_powers;
   powers = {};
-  const auto add = [&](const BalancedStep &state, const TermsTaken taken)
-  { operators.nonlinear()->add_powers(region, state, balanced.velocity, taken, powers, at_nodes); };
-  if (!problem.convection.is_explicit() || balanced.step.is_towards_rest ||
+  const auto add = [&](const StepSolution &state, const TermsTaken taken)
+  { operators.nonlinear()->add_powers(region, state, solution.velocity, taken, powers, at_nodes); };
+  if (!problem.convection.is_explicit() || solution.step.finds_steady_state ||
       problem.region_model(region) != RegionModel::flow)
   {
-    add(balanced, TermsTaken::all);
+    add(solution, TermsTaken::all);
     return;
   }
-  add(balanced, TermsTaken::not_carrying);
+  add(solution, TermsTaken::not_carrying);
   // What the step has taken from the extrapolated velocity.
-  extrapolated.step = balanced.step;
-  extrapolated.velocity.equ(1., balanced.extrapolated_velocity);
-  extrapolated.pressure.equ(1., balanced.pressure);
-  extrapolated.acceleration.equ(1., balanced.acceleration);
-  extrapolated.pressure_rate.equ(1., balanced.pressure_rate);
+  extrapolated.step = solution.step;
+  extrapolated.velocity.equ(1., solution.extrapolated_velocity);
+  extrapolated.pressure.equ(1., solution.pressure);
+  extrapolated.acceleration.equ(1., solution.acceleration);
+  extrapolated.pressure_rate.equ(1., solution.pressure_rate);
   add(extrapolated, TermsTaken::carrying);
 }
 
 PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
 {
   const std::size_t n_regions = problem.materials.size(), n_terms = terms.size();
-  const BalancedStep &balanced = step.balanced;
+  const StepSolution &solution = step.solution;
   PowerBalance balance;
-  balance.time = balanced.step.balance_time;
+  balance.time = solution.step.balance_time;
   balance.materials.resize(n_regions);
   // Numbers of this rank; all are summed over the ranks at once.
   sums.clear();
@@ -100,7 +100,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
   const bool reactions = forces_are_wanted || !operators.prescribed().is_homogeneous();
   forces = 0.;
   operators.loads().add(balance.time, forces);
-  sums.push_back(local_product(forces, balanced.velocity));
+  sums.push_back(local_product(forces, solution.velocity));
   if (reactions)
   {
     outlets.add_forces(1., forces);
@@ -116,7 +116,7 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
     DistributedVector *const target = !reactions ? nullptr : is_wanted ? &found->second : &forces;
     if (operators.is_nonlinear_in(region))
     {
-      set_nonlinear_powers(region, balanced, target);
+      set_nonlinear_powers(region, solution, target);
       // Loads that follow the present shape.
       sums.front() -= context.nonlinear_powers.load;
     }
@@ -133,11 +133,11 @@ PowerBalance Ledger::balance(const FinishedStep &step, const bool relaxation)
     double relaxed = 0.;
     if (relaxation)
       for (const auto &term : terms)
-        relaxed += term->relaxation_power(region, balanced, context);
+        relaxed += term->relaxation_power(region, solution, context);
     sums.push_back(relaxed);
   }
   forces_are_current = reactions;
-  sums.push_back(reactions ? local_product(forces, balanced.prescribed) : 0.);
+  sums.push_back(reactions ? local_product(forces, solution.prescribed) : 0.);
   Utilities::MPI::sum(sums, problem.communicator, sums);
 
   balance.external = sums.front() + sums.back();

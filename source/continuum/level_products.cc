@@ -69,7 +69,7 @@ void LevelProducts::advance()
 bool LevelProducts::has(const unsigned int region) const
 {
   return !is_shared && operators.products().has_level_products() &&
-         !(operators.has_whole_terms_in(region));
+         !(operators.has_all_terms_in(region));
 }
 
 const DistributedVector &

@@ -141,7 +141,8 @@ bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_o
 {
   const unsigned int n = n_ports();
   if (is_linearised && new_step.time_old == step.time_old && new_step.size() == step.size() &&
-      new_step.is_towards_rest == step.is_towards_rest && new_step.load_factor == step.load_factor)
+      new_step.finds_steady_state == step.finds_steady_state &&
+      new_step.load_factor == step.load_factor)
   {
     // Another iterate of the body in the same step: its dense system has corrections of its own.
     n_corrections = 0;
@@ -150,7 +151,7 @@ bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_o
   step = new_step;
   is_linearised = false; // until no trial has thrown
   n_corrections = 0;
-  if (step.is_towards_rest)
+  if (step.finds_steady_state)
   {
     // The network waits.
     is_linearised = true;
@@ -215,7 +216,7 @@ void NetworkModel::take_update(const std::vector<double> &flow_rates_before,
 bool NetworkModel::correct(const double *const flow_rates)
 {
   const unsigned int n = n_ports();
-  if (step.is_towards_rest || !is_linearised)
+  if (step.finds_steady_state || !is_linearised)
     return false;
   const std::vector<double> flow_rates_before = trial_flow_rates,
                             pressures_before = trial_pressures;
@@ -250,7 +251,7 @@ bool NetworkModel::correct(const double *const flow_rates)
 
 void NetworkModel::linearise_about(const double *const flow_rates)
 {
-  if (step.is_towards_rest || !is_linearised)
+  if (step.finds_steady_state || !is_linearised)
     return;
   const std::vector<double> flow_rates_before = trial_flow_rates,
                             pressures_before = trial_pressures;
@@ -262,7 +263,7 @@ void NetworkModel::linearise_about(const double *const flow_rates)
 void NetworkModel::advance(const Step &of_step, const double *const flow_rates)
 {
   const unsigned int n = n_ports();
-  if (of_step.is_towards_rest)
+  if (of_step.finds_steady_state)
     return;
   if (!std::equal(flow_rates, flow_rates + n, trial_flow_rates.begin(), trial_flow_rates.end()))
     make_trial(flow_rates);

@@ -66,9 +66,9 @@ void Newton::reinit(const DistributedVector &of_velocity, const DistributedVecto
   has_factor = false;
   if (!problem.convection.is_explicit())
     return;
-  for (DistributedVector *vector : {&at_rest.velocity, &at_rest.acceleration})
+  for (DistributedVector *vector : {&zero_state.velocity, &zero_state.acceleration})
     vector->reinit(zero_velocity);
-  for (DistributedVector *vector : {&at_rest.pressure, &at_rest.pressure_rate})
+  for (DistributedVector *vector : {&zero_state.pressure, &zero_state.pressure_rate})
     vector->reinit(pressure_change);
 }
 
@@ -87,7 +87,7 @@ void Newton::solve_by_factor(DistributedVector &momentum_rows,
 }
 
 bool Newton::solve_by_krylov(const NewtonInput &input,
-                             const BalancedStep &balanced,
+                             const StepSolution &solution,
                              const ResidualScales &scales,
                              DistributedVector &momentum_rows,
                              DistributedVector &mass_rows,
@@ -104,7 +104,7 @@ bool Newton::solve_by_krylov(const NewtonInput &input,
   krylov.set_right_hand_side(momentum_rows, mass_rows);
   const auto product = [&](const DistributedVector &velocity, const DistributedVector &pressure,
                            DistributedVector &of_momentum, DistributedVector &of_mass)
-  { residual.set_derivative_product(input, balanced, velocity, pressure, of_momentum, of_mass); };
+  { residual.set_derivative_product(input, solution, velocity, pressure, of_momentum, of_mass); };
   const auto inverse = [&](DistributedVector &of_momentum, DistributedVector &of_mass,
                            DistributedVector &velocity, DistributedVector &pressure)
   {
@@ -126,12 +126,12 @@ bool Newton::solve_by_krylov(const NewtonInput &input,
 }
 
 bool Newton::correct_by_krylov(const NewtonInput &input,
-                               const BalancedStep &balanced,
+                               const StepSolution &solution,
                                const ResidualScales &scales,
                                StepReport &report)
 {
   const bool has_converged =
-      solve_by_krylov(input, balanced, scales, residual.momentum, residual.mass, velocity_change,
+      solve_by_krylov(input, solution, scales, residual.momentum, residual.mass, velocity_change,
                       pressure_change, report);
   // All solves of the step together: a new factor serves many steps.
   if (krylov_iterations > problem.newton.most_krylov_iterations)
@@ -142,27 +142,27 @@ bool Newton::correct_by_krylov(const NewtonInput &input,
       [&](DistributedVector &of_momentum, DistributedVector &of_mass, DistributedVector &velocity,
           DistributedVector &pressure)
       {
-        solve_by_krylov(input, balanced, {of_momentum.linfty_norm(), flow}, of_momentum, of_mass,
+        solve_by_krylov(input, solution, {of_momentum.linfty_norm(), flow}, of_momentum, of_mass,
                         velocity, pressure, report);
       });
   return has_converged;
 }
 
-void Newton::begin_step(const NewtonInput &input, BalancedStep &balanced)
+void Newton::begin_step(const NewtonInput &input, StepSolution &solution)
 {
-  is_explicit = problem.convection.is_explicit() && !input.step.is_towards_rest;
+  is_explicit = problem.convection.is_explicit() && !input.step.finds_steady_state;
   if (is_explicit)
   {
-    balanced.extrapolated_velocity.equ(1., balanced.velocity);
-    at_rest.step = input.step;
+    solution.extrapolated_velocity.equ(1., solution.velocity);
+    zero_state.step = input.step;
   }
   if (input.system_is_new)
     has_factor = false;
   outlets.predict(input.step, input.velocity_old);
   if (problem.mesh_moves)
-    outlets.set_port_velocities(balanced.velocity);
+    outlets.set_port_velocities(solution.velocity);
   unknown_pressures.begin_step(input.step);
-  residual.begin_step(balanced.acceleration);
+  residual.begin_step(solution.acceleration);
   krylov_iterations = 0;
   takes_krylov = correction_is_exact = false;
   may_take_krylov = !is_explicit &&
@@ -171,10 +171,10 @@ void Newton::begin_step(const NewtonInput &input, BalancedStep &balanced)
                     problem.newton.slow_iteration == SlowIteration::krylov;
   // The factor leaves out what the mesh's motion does to the liquid, which is much in a long step.
   is_exact_at_once =
-      problem.mesh_moves && input.step.is_towards_rest && !input.step.finds_unloaded_shape;
+      problem.mesh_moves && input.step.finds_steady_state && !input.step.finds_unloaded_shape;
 }
 
-void Newton::prepare_correction(const BalancedStep &balanced,
+void Newton::prepare_correction(const StepSolution &solution,
                                 const bool is_slow,
                                 const unsigned int iteration,
                                 StepReport &report)
@@ -185,26 +185,26 @@ void Newton::prepare_correction(const BalancedStep &balanced,
   {
     takes_krylov = true;
     if (!residual.takes_differences())
-      terms.keep_derivative(balanced);
+      terms.keep_derivative(solution);
   }
   else if (is_explicit)
   {
     // Both serve all steps of one size.
     if (!has_factor)
     {
-      make_factor(at_rest, iteration, report);
+      make_factor(zero_state, iteration, report);
       if (!terms.solves_with_kept_derivative())
-        terms.keep_derivative(at_rest);
+        terms.keep_derivative(zero_state);
     }
   }
   else if (is_slow || !has_factor)
-    make_factor(balanced, iteration, report);
+    make_factor(solution, iteration, report);
   // On a mesh that moves the derivative that is kept takes the place of a factor.
   else if (terms.solves_with_kept_derivative() && !problem.mesh_moves)
-    terms.keep_derivative(balanced);
+    terms.keep_derivative(solution);
 }
 
-void Newton::make_factor(const BalancedStep &balanced,
+void Newton::make_factor(const StepSolution &solution,
                          const unsigned int iteration,
                          StepReport &report)
 {
@@ -212,7 +212,7 @@ void Newton::make_factor(const BalancedStep &balanced,
   try
   {
     const FactorTime time(log.timer());
-    if (terms.linearise(balanced))
+    if (terms.linearise(solution))
       ++report.factors;
   }
   catch (const RunError &error)
@@ -234,12 +234,12 @@ void Newton::make_factor(const BalancedStep &balanced,
 }
 
 void Newton::correct(const NewtonInput &input,
-                     BalancedStep &balanced,
+                     StepSolution &solution,
                      const ResidualScales &scales,
                      StepReport &report)
 {
   if (takes_krylov)
-    correction_is_exact = correct_by_krylov(input, balanced, scales, report);
+    correction_is_exact = correct_by_krylov(input, solution, scales, report);
   else if (terms.solves_with_kept_derivative() && !problem.mesh_moves)
   {
     // An inexact solve leaves a part of its right-hand side. That is the residual, without the
@@ -251,24 +251,24 @@ void Newton::correct(const NewtonInput &input,
   else
     solve_by_factor(residual.momentum, residual.mass, velocity_change, pressure_change, report);
   unknown_pressures.couple(input.step, velocity_change, pressure_change,
-                           balanced.boundary_pressures);
-  balanced.velocity.add(1., velocity_change);
-  balanced.pressure.add(1., pressure_change);
+                           solution.boundary_pressures);
+  solution.velocity.add(1., velocity_change);
+  solution.pressure.add(1., pressure_change);
   if (!problem.mesh_moves)
-    outlets.couple(input.step, input.velocity_old, balanced.velocity, balanced.pressure);
+    outlets.couple(input.step, input.velocity_old, solution.velocity, solution.pressure);
 }
 
-void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report)
+void Newton::solve(const NewtonInput &input, StepSolution &solution, StepReport &report)
 {
-  begin_step(input, balanced);
+  begin_step(input, solution);
   NewtonConvergence convergence(problem.newton);
   for (unsigned int iteration = 0;; ++iteration)
   {
-    residual.set_rates(input, balanced);
-    unknown_pressures.measure(balanced);
+    residual.set_rates(input, solution);
+    unknown_pressures.measure(solution);
     if (problem.mesh_moves)
-      outlets.measure(balanced);
-    const ResidualNorms norms = residual.set(input, balanced, is_explicit);
+      outlets.measure(solution);
+    const ResidualNorms norms = residual.set(input, solution, is_explicit);
     convergence.take(norms, unknown_pressures.residual());
     report.corrections = iteration;
     report.residual = convergence.residual();
@@ -283,10 +283,10 @@ void Newton::solve(const NewtonInput &input, BalancedStep &balanced, StepReport 
       break;
     if (!convergence.is_finite() || iteration == problem.newton.maximum_iterations)
       convergence.fail(problem, terms, residual.momentum_work, residual.mass_work);
-    prepare_correction(balanced, convergence.is_slow(), iteration, report);
-    correct(input, balanced, convergence.scales(), report);
+    prepare_correction(solution, convergence.is_slow(), iteration, report);
+    correct(input, solution, convergence.scales(), report);
   }
   outlets.finish_step(input.step);
-  balanced.acceleration.equ(1., residual.acceleration_of_past());
+  solution.acceleration.equ(1., residual.acceleration_of_past());
 }
 } // namespace Continua

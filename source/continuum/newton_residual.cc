@@ -48,9 +48,9 @@ void NewtonResidual::reinit(const DistributedVector &zero_velocity,
   }
   if (problem.convection.is_explicit())
   {
-    for (DistributedVector *vector : {&first_velocity, &first_momentum, &velocity_way})
+    for (DistributedVector *vector : {&first_velocity, &first_momentum, &velocity_from_start})
       vector->reinit(momentum);
-    for (DistributedVector *vector : {&first_pressure, &first_mass, &pressure_way})
+    for (DistributedVector *vector : {&first_pressure, &first_mass, &pressure_from_start})
       vector->reinit(mass);
   }
   for (DistributedVector *vector : {&shifted.velocity, &shifted.acceleration})
@@ -65,20 +65,20 @@ void NewtonResidual::reinit(const DistributedVector &zero_velocity,
       vector->reinit(momentum);
 }
 
-void NewtonResidual::set_rates(const NewtonInput &input, BalancedStep &balanced) const
+void NewtonResidual::set_rates(const NewtonInput &input, StepSolution &solution) const
 {
-  balanced.acceleration.equ(1., past_acceleration);
-  balanced.acceleration.add(input.step.a0, balanced.velocity);
+  solution.acceleration.equ(1., past_acceleration);
+  solution.acceleration.add(input.step.a0, solution.velocity);
   const double factor = 1. / input.step.pressure_time;
-  balanced.pressure_rate.equ(factor, balanced.pressure);
-  balanced.pressure_rate.add(-factor, input.predicted_pressure);
+  solution.pressure_rate.equ(factor, solution.pressure);
+  solution.pressure_rate.add(-factor, input.predicted_pressure);
   if (problem.has_regions_of(RegionModel::finite_solid))
   {
-    balanced.displacement.equ(1., input.predicted_displacement);
-    balanced.displacement.add(BranchHistory::step_displacement(input.step), balanced.velocity);
+    solution.displacement.equ(1., input.predicted_displacement);
+    solution.displacement.add(BranchHistory::step_displacement(input.step), solution.velocity);
   }
-  terms.move_mesh(balanced);
-  terms.check_mesh(balanced);
+  terms.move_mesh(solution);
+  terms.check_mesh(solution);
 }
 
 void NewtonResidual::subtract_linear_terms(const SystemCoefficients &coefficients,
@@ -114,62 +114,62 @@ void NewtonResidual::subtract_linear_terms(const SystemCoefficients &coefficient
   }
 }
 
-void NewtonResidual::set_explicit_terms(const BalancedStep &balanced)
+void NewtonResidual::set_explicit_terms(const StepSolution &solution)
 {
   momentum_work = 0.;
   mass_work = 0.;
   if (!has_first)
   {
-    terms.add(balanced, momentum_work, mass_work);
-    first_velocity.equ(1., balanced.velocity);
-    first_pressure.equ(1., balanced.pressure);
+    terms.add(solution, momentum_work, mass_work);
+    first_velocity.equ(1., solution.velocity);
+    first_pressure.equ(1., solution.pressure);
     first_momentum.equ(1., momentum_work);
     first_mass.equ(1., mass_work);
     has_first = true;
     return;
   }
-  velocity_way.equ(1., balanced.velocity);
-  velocity_way.add(-1., first_velocity);
-  pressure_way.equ(1., balanced.pressure);
-  pressure_way.add(-1., first_pressure);
-  terms.add_derivative_product(velocity_way, pressure_way, momentum_work, mass_work);
+  velocity_from_start.equ(1., solution.velocity);
+  velocity_from_start.add(-1., first_velocity);
+  pressure_from_start.equ(1., solution.pressure);
+  pressure_from_start.add(-1., first_pressure);
+  terms.add_derivative_product(velocity_from_start, pressure_from_start, momentum_work, mass_work);
   momentum_work.add(1., first_momentum);
   mass_work.add(1., first_mass);
 }
 
 ResidualNorms
-NewtonResidual::set(const NewtonInput &input, const BalancedStep &balanced, const bool is_explicit)
+NewtonResidual::set(const NewtonInput &input, const StepSolution &solution, const bool is_explicit)
 {
   ResidualScales largest{input.momentum.linfty_norm(), input.mass.linfty_norm()};
   momentum.equ(1., input.momentum);
   mass.equ(1., input.mass);
-  subtract_linear_terms(input.coefficients, balanced.velocity, balanced.pressure, momentum, mass,
+  subtract_linear_terms(input.coefficients, solution.velocity, solution.pressure, momentum, mass,
                         largest);
   // The inertia of a short step is a small difference of large terms, also within whole terms.
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     if (!input.coefficients.has(region))
     {
-      products.multiply_mass(region, momentum_work, balanced.velocity);
+      products.multiply_mass(region, momentum_work, solution.velocity);
       largest.momentum =
           std::max(largest.momentum,
                    input.step.a0 * problem.materials[region].density * momentum_work.linfty_norm());
     }
   if (is_explicit)
-    set_explicit_terms(balanced);
+    set_explicit_terms(solution);
   else
   {
     momentum_work = 0.;
     mass_work = 0.;
-    terms.add(balanced, momentum_work, mass_work);
+    terms.add(solution, momentum_work, mass_work);
   }
-  system.add_flux_correction(balanced.pressure, mass_work);
+  system.add_flux_correction(solution.pressure, mass_work);
   largest.momentum = std::max(largest.momentum, momentum_work.linfty_norm());
   momentum.add(-1., momentum_work);
   largest.mass = std::max(largest.mass, mass_work.linfty_norm());
   mass.add(-1., mass_work);
 
   ResidualNorms norms;
-  const ResidualScales scales = terms.residual_scales(balanced.velocity, balanced.pressure);
+  const ResidualScales scales = terms.residual_scales(solution.velocity, solution.pressure);
   norms.momentum_round_off = ResidualNorms::round_off * std::max(largest.momentum, scales.momentum);
   norms.mass_round_off = ResidualNorms::round_off * std::max(largest.mass, scales.mass);
   // On a mesh that stays each solve has the ports' forces anew.
@@ -185,7 +185,7 @@ NewtonResidual::set(const NewtonInput &input, const BalancedStep &balanced, cons
   return norms;
 }
 
-void NewtonResidual::add_differences(const BalancedStep &balanced,
+void NewtonResidual::add_differences(const StepSolution &solution,
                                      const DistributedVector &of_velocity,
                                      const DistributedVector &of_pressure,
                                      DistributedVector &momentum_rows,
@@ -196,25 +196,25 @@ void NewtonResidual::add_differences(const BalancedStep &balanced,
   // deformation the velocity stands for the displacement, too, beside which it may be nothing.
   const auto share = [](const double change, const double value)
   { return change > 0. ? change / std::max(change, value) : 0.; };
-  double velocity = balanced.velocity.linfty_norm();
+  double velocity = solution.velocity.linfty_norm();
   if (problem.has_regions_of(RegionModel::finite_solid))
   {
-    const DistributedVector &of_body = problem.mesh_moves && !balanced.step.finds_unloaded_shape
-                                           ? balanced.mesh_displacement
-                                           : balanced.displacement;
+    const DistributedVector &of_body = problem.mesh_moves && !solution.step.finds_unloaded_shape
+                                           ? solution.mesh_displacement
+                                           : solution.displacement;
     velocity =
-        std::max(velocity, of_body.linfty_norm() / BranchHistory::step_displacement(balanced.step));
+        std::max(velocity, of_body.linfty_norm() / BranchHistory::step_displacement(solution.step));
   }
   const double largest =
       std::max(share(of_velocity.linfty_norm(), velocity),
-               share(of_pressure.linfty_norm(), balanced.pressure.linfty_norm()));
+               share(of_pressure.linfty_norm(), solution.pressure.linfty_norm()));
   if (largest == 0.)
     return;
   const double distance = difference / largest;
-  shifted.step = balanced.step;
-  shifted.boundary_pressures = balanced.boundary_pressures;
+  shifted.step = solution.step;
+  shifted.boundary_pressures = solution.boundary_pressures;
   if (problem.mesh_moves)
-    terms.set_mesh_change(balanced.step, of_velocity, mesh_change);
+    terms.set_mesh_change(solution.step, of_velocity, mesh_change);
   for (const double sign : {1., -1.})
   {
     const auto shift = [&](DistributedVector &target, const DistributedVector &value,
@@ -223,20 +223,20 @@ void NewtonResidual::add_differences(const BalancedStep &balanced,
       target.equ(1., value);
       target.add(sign * distance * factor, change);
     };
-    shift(shifted.velocity, balanced.velocity, 1., of_velocity);
-    shift(shifted.acceleration, balanced.acceleration, balanced.step.a0, of_velocity);
-    shift(shifted.pressure, balanced.pressure, 1., of_pressure);
-    shift(shifted.pressure_rate, balanced.pressure_rate, 1. / balanced.step.pressure_time,
+    shift(shifted.velocity, solution.velocity, 1., of_velocity);
+    shift(shifted.acceleration, solution.acceleration, solution.step.a0, of_velocity);
+    shift(shifted.pressure, solution.pressure, 1., of_pressure);
+    shift(shifted.pressure_rate, solution.pressure_rate, 1. / solution.step.pressure_time,
           of_pressure);
     if (problem.has_regions_of(RegionModel::finite_solid))
-      shift(shifted.displacement, balanced.displacement,
-            BranchHistory::step_displacement(balanced.step), of_velocity);
+      shift(shifted.displacement, solution.displacement,
+            BranchHistory::step_displacement(solution.step), of_velocity);
     if (problem.mesh_moves)
     {
       // The motion of the mesh is linear within a step.
-      shift(shifted.mesh_displacement, balanced.mesh_displacement, 1., mesh_change);
-      shift(shifted.mesh_velocity, balanced.mesh_velocity,
-            1. / BranchHistory::step_displacement(balanced.step), mesh_change);
+      shift(shifted.mesh_displacement, solution.mesh_displacement, 1., mesh_change);
+      shift(shifted.mesh_velocity, solution.mesh_velocity,
+            1. / BranchHistory::step_displacement(solution.step), mesh_change);
     }
     momentum_work = 0.;
     mass_work = 0.;
@@ -250,11 +250,11 @@ void NewtonResidual::add_differences(const BalancedStep &balanced,
     mass_rows.add(0.5 * sign / distance, mass_work);
   }
   if (problem.mesh_moves)
-    outlets.measure(balanced);
+    outlets.measure(solution);
 }
 
 void NewtonResidual::set_derivative_product(const NewtonInput &input,
-                                            const BalancedStep &balanced,
+                                            const StepSolution &solution,
                                             const DistributedVector &of_velocity,
                                             const DistributedVector &of_pressure,
                                             DistributedVector &momentum_rows,
@@ -268,7 +268,7 @@ void NewtonResidual::set_derivative_product(const NewtonInput &input,
   momentum_rows *= -1.;
   mass_rows *= -1.;
   if (takes_differences())
-    add_differences(balanced, of_velocity, of_pressure, momentum_rows, mass_rows);
+    add_differences(solution, of_velocity, of_pressure, momentum_rows, mass_rows);
   else
   {
     momentum_work = 0.;

@@ -296,7 +296,7 @@ std::vector<double> OutletCoupling::present_flow_rates(const DistributedVector &
   return flows;
 }
 
-void OutletCoupling::measure(const BalancedStep &iterate)
+void OutletCoupling::measure(const StepSolution &iterate)
 {
   if (is_empty())
     return;
@@ -425,7 +425,7 @@ void OutletCoupling::finish_step(const Step &step)
                                         : flow_rates_of_mesh[i];
 }
 
-void OutletCoupling::start_from_rest()
+void OutletCoupling::start_steady()
 {
   present_flow_rates_of_mesh.assign(ports.size(), 0.);
   for (unsigned int o = 0; o < models.size(); ++o)

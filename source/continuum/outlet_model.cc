@@ -27,7 +27,7 @@ OutletModel::OutletModel(const Outlet &outlet)
   for (unsigned int k = 0; k < outlet.initial_states.size(); ++k)
   {
     responses[k].present[0] = outlet.initial_states[k];
-    responses[k].older = responses[k].balanced = responses[k].present;
+    responses[k].older = responses[k].at_level = responses[k].present;
   }
 }
 
@@ -41,13 +41,13 @@ bool OutletModel::take_coefficients(const std::vector<double> &taken)
 bool OutletModel::linearise(const Step &step, const double *const flow_rates_old)
 {
   predicted = 0.;
-  // Only on the way to rest do the loads come in parts.
+  // Only on the way to a steady state do the loads come in parts.
   predicted[0] = step.load_factor * outlet.pressure_behind(origin, step.balance_time);
   new_coefficients.clear();
-  if (step.is_towards_rest && outlet.counts_from_start)
+  if (step.finds_steady_state && outlet.counts_from_start)
   {
     for (Response &response : responses)
-      response.balanced = 0.;
+      response.at_level = 0.;
     new_coefficients.assign(responses.size() + 1, 0.);
     return take_coefficients(new_coefficients);
   }
@@ -55,28 +55,28 @@ bool OutletModel::linearise(const Step &step, const double *const flow_rates_old
   {
     const Impedance::Term &term = outlet.impedance.terms[k];
     Response &response = responses[k];
-    if (step.is_towards_rest && has_given_charge())
+    if (step.finds_steady_state && has_given_charge())
     {
       new_coefficients.push_back(0.);
-      response.balanced[0] = step.load_factor * outlet.initial_states[k];
-      predicted[0] += term.residue(0, 0) * response.balanced[0];
+      response.at_level[0] = step.load_factor * outlet.initial_states[k];
+      predicted[0] += term.residue(0, 0) * response.at_level[0];
       continue;
     }
-    if (step.is_towards_rest && term.rate > 0.)
+    if (step.finds_steady_state && term.rate > 0.)
     {
       // In a steady flow x_k = Q / rate.
       new_coefficients.push_back(1. / term.rate);
-      response.balanced = 0.;
+      response.at_level = 0.;
       continue;
     }
     const BranchCoefficients of_step = step.branch(relaxation_time(term));
     new_coefficients.push_back(of_step.velocity);
     for (unsigned int j = 0; j < n_ports(); ++j)
-      response.balanced[j] = of_step.old * response.present[j] + of_step.older * response.older[j] +
+      response.at_level[j] = of_step.old * response.present[j] + of_step.older * response.older[j] +
                              of_step.velocity_old * change_of_flow(flow_rates_old, j);
     for (unsigned int i = 0; i < n_ports(); ++i)
       for (unsigned int j = 0; j < n_ports(); ++j)
-        predicted[i] += term.residue(i, j) * response.balanced[j];
+        predicted[i] += term.residue(i, j) * response.at_level[j];
   }
   new_coefficients.push_back(1.);
   const bool changed = take_coefficients(new_coefficients);
@@ -138,17 +138,17 @@ void OutletModel::advance(const Step &step, const double *const flow_rates)
     for (unsigned int j = 0; j < n_ports(); ++j)
     {
       const double flow_rate = change_of_flow(flow_rates, j);
-      response.balanced[j] += coefficients[k] * flow_rate;
-      response.rate[j] = flow_rate - term.rate * response.balanced[j];
+      response.at_level[j] += coefficients[k] * flow_rate;
+      response.rate[j] = flow_rate - term.rate * response.at_level[j];
     }
     response.older.swap(response.present);
     if (step.extrapolate)
     {
-      response.present.equ(2., response.balanced);
+      response.present.equ(2., response.at_level);
       response.present.add(-1., response.older);
     }
     else
-      response.present = response.balanced;
+      response.present = response.at_level;
     // The exponential update obeys the equation over the step as a whole.
     if (step.branch_is_exponential(relaxation_time(term)))
     {
@@ -162,7 +162,7 @@ void OutletModel::set_steady(const double *const flow_rates)
 {
   for (unsigned int k = 0; k < responses.size(); ++k)
     for (unsigned int j = 0; j < n_ports(); ++j)
-      responses[k].present[j] = responses[k].balanced[j] =
+      responses[k].present[j] = responses[k].at_level[j] =
           has_given_charge() ? outlet.initial_states[k]
                              : flow_rates[j] / outlet.impedance.terms[k].rate;
 }
@@ -173,7 +173,7 @@ double OutletModel::stored_power() const
   for (unsigned int k = 0; k < responses.size() && outlet.impedance.terms_store_energy; ++k)
     for (unsigned int i = 0; i < n_ports(); ++i)
       for (unsigned int j = 0; j < n_ports(); ++j)
-        sum += responses[k].balanced[i] * outlet.impedance.terms[k].residue(i, j) *
+        sum += responses[k].at_level[i] * outlet.impedance.terms[k].residue(i, j) *
                responses[k].rate[j];
   return sum;
 }

@@ -44,7 +44,7 @@ void InteriorData::read(ParameterSection body_force_section,
              "which is found first, as the section Steady says; mean - from that under the mean "
              "of the loads over the period of the section Periodic state, so that vessels and "
              "outlets have their mean pressure.");
-  starts_at_rest_under_loads = start != Start::given;
+  starts_steady_under_loads = start != Start::given;
   starts_under_mean_loads = start == Start::mean;
 
   const auto read_vector =
@@ -77,7 +77,7 @@ void InteriorData::read(ParameterSection body_force_section,
       initial_pressure[region] = value;
     }
   }
-  if (starts_at_rest_under_loads)
+  if (starts_steady_under_loads)
   {
     for (const char *const key : {"Velocity", "Displacement", "Pressure"})
       if (initial_state.given(key))

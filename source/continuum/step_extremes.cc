@@ -21,14 +21,14 @@ std::string reason_not_finite(const MPI_Comm communicator)
 
 void set_extremes(const Step &step,
                   const DistributedVector &start,
-                  const DistributedVector &balanced,
+                  const DistributedVector &at_level,
                   const DistributedVector &pressure,
                   StepReport &report)
 {
   double largest_velocity = 0., largest_change = 0.;
   // A maximum passes over what is no number; 0 times it is no number either.
   double zero = 0.;
-  const double *const solved = balanced.begin();
+  const double *const solved = at_level.begin();
   const double *const old = start.begin();
   for (unsigned int i = 0; i < start.locally_owned_size(); ++i)
   {

@@ -99,14 +99,15 @@ std::array<double, 6> components_of(const SymmetricTensor<2, 3> &tensor)
 } // namespace
 
 std::array<double, 6> finite_stress(const Material &material,
-                                    const RestState &rest,
+                                    const StressFreeState &stress_free,
                                     const Kinematics &kinematics,
                                     const Tensor<2, 3> &velocity_gradient,
                                     const double pressure,
                                     const SymmetricTensor<2, 3> &metric)
 {
-  const double ratio = kinematics.volume_ratio() / rest.volume_ratio;
-  const PointStrain strain{kinematics.deformation_gradient() * rest.prestretch, ratio, rest.fibres};
+  const double ratio = kinematics.volume_ratio() / stress_free.volume_ratio;
+  const PointStrain strain{kinematics.deformation_gradient() * stress_free.prestretch, ratio,
+                           stress_free.fibres};
   SymmetricTensor<2, 3> stress, of_branches;
   if (material.strain_law != nullptr)
   {

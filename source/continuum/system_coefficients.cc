@@ -11,7 +11,8 @@ bool SystemCoefficients::operator==(const SystemCoefficients &other) const
   return nearly_equal(mass, other.mass) && nearly_equal(stiffness, other.stiffness) &&
          nearly_equal(compressibility, other.compressibility) && left_out == other.left_out &&
          nearly_equal(support_stiffness, other.support_stiffness) &&
-         nearly_equal(support_damping, other.support_damping) && is_of_rest == other.is_of_rest;
+         nearly_equal(support_damping, other.support_damping) &&
+         finds_steady_state == other.finds_steady_state;
 }
 
 void SystemCoefficients::set(const Problem &problem, const Step &step)
@@ -21,7 +22,7 @@ void SystemCoefficients::set(const Problem &problem, const Step &step)
   for (const Material &material : problem.materials)
   {
     mass.push_back(step.a0 * material.density);
-    const bool is_viscous = !material.is_solid() || !step.is_towards_rest;
+    const bool is_viscous = !material.is_solid() || !step.finds_steady_state;
     stiffness.push_back((is_viscous ? material.shear.viscosity : 0.) +
                         BranchHistory::step_stiffness(material, step));
     compressibility.push_back(BulkHistory::step_compressibility(material, step));
@@ -29,8 +30,8 @@ void SystemCoefficients::set(const Problem &problem, const Step &step)
   // In the mesh's shape springs of supports are free of force.
   const bool has_supports = problem.has_supports() && !step.finds_unloaded_shape;
   support_stiffness = has_supports ? BranchHistory::step_displacement(step) : 0.;
-  support_damping = has_supports && !step.is_towards_rest ? 1. : 0.;
-  is_of_rest = step.is_towards_rest;
+  support_damping = has_supports && !step.finds_steady_state ? 1. : 0.;
+  finds_steady_state = step.finds_steady_state;
   left_out.clear();
 }
 
@@ -56,6 +57,6 @@ void SystemCoefficients::set_steady(const Problem &problem)
   left_out.clear();
   support_stiffness = solid && problem.has_supports() ? 1. : 0.;
   support_damping = 0.;
-  is_of_rest = false;
+  finds_steady_state = false;
 }
 } // namespace Continua

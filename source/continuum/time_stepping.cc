@@ -84,7 +84,7 @@ void TimeStepping::stop_solids()
   const std::vector<bool> of_solids = nodes_of_solids();
   for (unsigned int i = 0; i < of_solids.size(); ++i)
     if (of_solids[i])
-      velocity.begin()[i] = balanced.velocity.begin()[i] = 0.;
+      velocity.begin()[i] = solution.velocity.begin()[i] = 0.;
   products.forget();
   ledger.forget_forces();
 }
@@ -105,7 +105,7 @@ void TimeStepping::start_from_present_state()
   forget_linearisation();
   products.forget();
   ledger.forget_forces();
-  outlets.start_from_rest();
+  outlets.start_steady();
   operators.start_from(present());
 }
 
@@ -137,26 +137,26 @@ void TimeStepping::setup()
   bulk_history.reinit(zero_pressure, operators.pressure_nodes());
   outlets.build();
   unknown_pressures.build();
-  balanced.boundary_pressures = unknown_pressures.pressures();
+  solution.boundary_pressures = unknown_pressures.pressures();
   wall_shear.reinit();
   products.reinit();
   ledger.reinit();
   if (newton)
     newton->reinit(zero_velocity, zero_pressure);
   for (DistributedVector *vector :
-       {&balanced.velocity, &balanced.acceleration, &balanced.prescribed, &prescribed, &momentum,
+       {&solution.velocity, &solution.acceleration, &solution.prescribed, &prescribed, &momentum,
         &velocity_work, &mixture})
     vector->reinit(zero_velocity);
   for (DistributedVector *vector :
-       {&balanced.pressure, &balanced.pressure_rate, &mass, &pressure_work, &mass_work})
+       {&solution.pressure, &solution.pressure_rate, &mass, &pressure_work, &mass_work})
     vector->reinit(zero_pressure);
   if (problem.has_regions_of(RegionModel::finite_solid))
-    balanced.displacement.reinit(zero_velocity);
+    solution.displacement.reinit(zero_velocity);
   if (problem.mesh_moves)
-    for (DistributedVector *vector : {&balanced.mesh_displacement, &balanced.mesh_velocity})
+    for (DistributedVector *vector : {&solution.mesh_displacement, &solution.mesh_velocity})
       vector->reinit(zero_velocity);
   if (problem.convection.is_explicit())
-    balanced.extrapolated_velocity.reinit(zero_velocity);
+    solution.extrapolated_velocity.reinit(zero_velocity);
   const DistributedVector zero_metric = operators.internal_metric_vector();
   const DistributedVector zero_vertex = operators.mesh_vertex_vector();
   StateSizes sizes(zero_velocity, zero_pressure, zero_metric, zero_vertex);
@@ -205,7 +205,7 @@ StepReport TimeStepping::advance(const Step &given_step)
       products.forget_older();
     operators.begin_step(step, present());
     if (operators.variant().solves_for_displacement())
-      operators.variant().make_displacement_step(step, velocity, history.displacement(), balanced,
+      operators.variant().make_displacement_step(step, velocity, history.displacement(), solution,
                                                  report);
     else
       balance(step, report);
@@ -221,9 +221,9 @@ StepReport TimeStepping::advance(const Step &given_step)
     throw RunError(text_of(step, error));
   }
   SectionTimer::Scope scope(log.timer(), "update");
-  set_extremes(step, velocity, balanced.velocity, balanced.pressure, report);
-  if (step.is_towards_rest)
-    report.change_at_rest = change_at_rest(step);
+  set_extremes(step, velocity, solution.velocity, solution.pressure, report);
+  if (step.finds_steady_state)
+    report.steady_change = steady_change(step);
   finish(step);
   return report;
 }
@@ -240,7 +240,7 @@ void TimeStepping::balance(const Step &step, StepReport &report)
     {
       set_prescribed(step);
       if (!operators.is_nonlinear())
-        operators.system().eliminate_prescribed(balanced.prescribed, momentum, mass);
+        operators.system().eliminate_prescribed(solution.prescribed, momentum, mass);
     }
   }
   SectionTimer::Scope scope(log.timer(), "solve");
@@ -251,51 +251,51 @@ void TimeStepping::balance(const Step &step, StepReport &report)
   }
   if (operators.system().starts_from_guess())
   {
-    balanced.velocity.equ(1., velocity);
-    balanced.pressure.equ(1., pressure);
+    solution.velocity.equ(1., velocity);
+    solution.pressure.equ(1., pressure);
   }
-  operators.system().solve(balanced.prescribed, momentum, mass, balanced.velocity,
-                           balanced.pressure, report);
-  outlets.couple(step, velocity, balanced.velocity, balanced.pressure);
+  operators.system().solve(solution.prescribed, momentum, mass, solution.velocity,
+                           solution.pressure, report);
+  outlets.couple(step, velocity, solution.velocity, solution.pressure);
   outlets.finish_step(step);
 }
 
 void TimeStepping::iterate(const Step &step, const bool system_is_new, StepReport &report)
 {
   extrapolate_velocity(step);
-  if (step.is_towards_rest)
-    stop_finite_solids(balanced.velocity);
-  operators.prescribed().set_prescribed(balanced.prescribed, balanced.velocity);
-  balanced.pressure.equ(1., pressure);
-  balanced.boundary_pressures = unknown_pressures.pressures();
-  balanced.step = step;
+  if (step.finds_steady_state)
+    stop_finite_solids(solution.velocity);
+  operators.prescribed().set_prescribed(solution.prescribed, solution.velocity);
+  solution.pressure.equ(1., pressure);
+  solution.boundary_pressures = unknown_pressures.pressures();
+  solution.step = step;
   if (problem.has_regions_of(RegionModel::finite_solid))
     history.predict_displacement(step, velocity, mixture);
   newton->solve(
       {step, coefficients, system_is_new, momentum, mass, pressure_work, velocity, mixture},
-      balanced, report);
+      solution, report);
 }
 
 void TimeStepping::extrapolate_velocity(const Step &step)
 {
   // To the level that is balanced, as the last step went. Where convection is explicit this is a
   // part of the scheme, and the distance counts; for Newton's iteration it is a first guess.
-  const bool is_of_scheme = problem.convection.is_explicit() && !step.is_towards_rest;
-  double further = 0.;
+  const bool is_of_scheme = problem.convection.is_explicit() && !step.finds_steady_state;
+  double extrapolation = 0.;
   if (!step.is_start && step.extrapolate)
-    further =
+    extrapolation =
         is_of_scheme && step.older_distance > 0. ? 0.5 * step.size() / step.older_distance : 0.5;
   else if (!step.is_start && step.a2 != 0.)
-    further = step.size() / step.older_distance;
-  balanced.velocity.equ(1. + further, velocity);
-  if (further != 0.)
-    balanced.velocity.add(-further, velocity_older);
+    extrapolation = step.size() / step.older_distance;
+  solution.velocity.equ(1. + extrapolation, velocity);
+  if (extrapolation != 0.)
+    solution.velocity.add(-extrapolation, velocity_older);
 }
 
 void TimeStepping::stop_finite_solids(DistributedVector &of_velocity) const
 {
-  // On the way to rest the steps of a solid grow, and its velocity over a longer one would be a
-  // multiple of the last way.
+  // On the way to a steady state the steps of a solid grow, and its velocity over a longer one
+  // would be a multiple of the last displacement.
   if (!problem.has_regions_of(RegionModel::finite_solid))
     return;
   const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
@@ -310,10 +310,10 @@ SystemChange TimeStepping::prepare(const Step &step, StepReport &report)
   SectionTimer::Scope scope(log.timer(), "factor");
   coefficients.set(problem, step);
   // Regions that are left out change with the step, too, and the tangent with them.
-  const bool is_other = !(coefficients == whole_coefficients);
-  whole_coefficients = coefficients;
+  const bool is_other = !(coefficients == equation_coefficients);
+  equation_coefficients = coefficients;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
-    if (is_whole(region))
+    if (has_all_terms_in(region))
       coefficients.leave_out(region);
   SystemChange change = operators.system().prepare(coefficients, step.pressure_time);
   if (change == SystemChange::none && is_other && operators.is_nonlinear())
@@ -333,26 +333,26 @@ void TimeStepping::set_momentum(const Step &step)
   velocity_work.equ(-step.a1, velocity);
   if (step.a2 != 0.)
     velocity_work.add(-step.a2, velocity_older);
-  balanced.acceleration.equ(-1., velocity_work);
+  solution.acceleration.equ(-1., velocity_work);
   momentum = 0.;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
-    if (is_whole(region))
+    if (has_all_terms_in(region))
       continue;
     const double density = problem.materials[region].density;
     if (products.has(region))
       momentum.add(density, products.past_inertia(region, step));
     else
     {
-      operators.products().multiply_mass(region, balanced.velocity, velocity_work);
-      momentum.add(density, balanced.velocity);
+      operators.products().multiply_mass(region, solution.velocity, velocity_work);
+      momentum.add(density, solution.velocity);
     }
     if (products.is_elastic(region))
       products.add_past_stress(region, step, momentum);
     else if (history.predict(region, step, velocity, mixture))
     {
-      operators.variant().multiply_past_stiffness(region, balanced.velocity, mixture);
-      momentum.add(-1., balanced.velocity);
+      operators.variant().multiply_past_stiffness(region, solution.velocity, mixture);
+      momentum.add(-1., solution.velocity);
     }
   }
   if (problem.has_supports() && !step.finds_unloaded_shape)
@@ -360,8 +360,8 @@ void TimeStepping::set_momentum(const Step &step)
     history.predict_displacement(step, velocity, mixture);
     for (unsigned int region = 0; region < problem.materials.size(); ++region)
     {
-      operators.products().multiply_support_stiffness(region, balanced.velocity, mixture);
-      momentum.add(-1., balanced.velocity);
+      operators.products().multiply_support_stiffness(region, solution.velocity, mixture);
+      momentum.add(-1., solution.velocity);
     }
   }
   if (step.load_factor == 1.)
@@ -387,16 +387,16 @@ void TimeStepping::set_mass(const Step &step)
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     const double compressibility = coefficients.compressibility[region];
-    if (is_whole(region))
+    if (has_all_terms_in(region))
       continue;
     const bool relaxes = bulk_history.has(region);
     if (relaxes)
       bulk_history.predict(region, step, mass_work);
     if (relaxes || compressibility != 0.)
     {
-      operators.products().multiply_pressure_mass(region, balanced.pressure,
+      operators.products().multiply_pressure_mass(region, solution.pressure,
                                                   relaxes ? mass_work : pressure_work);
-      mass.add(compressibility, balanced.pressure);
+      mass.add(compressibility, solution.pressure);
     }
     if (step.divergence_old && !relaxes)
     {
@@ -405,8 +405,8 @@ void TimeStepping::set_mass(const Step &step)
         mass.add(-1., products.divergence(region));
       else
       {
-        operators.variant().set_past_dilatation(region, present(), balanced.pressure);
-        mass.add(-1., balanced.pressure);
+        operators.variant().set_past_dilatation(region, present(), solution.pressure);
+        mass.add(-1., solution.pressure);
       }
     }
   }
@@ -423,52 +423,52 @@ void TimeStepping::set_prescribed(const Step &step)
   operators.prescribed().evaluate(step.extrapolate ? step.time : step.balance_time, prescribed);
   if (!step.extrapolate)
   {
-    balanced.prescribed.equ(step.load_factor, prescribed);
+    solution.prescribed.equ(step.load_factor, prescribed);
     return;
   }
   // The end of the step has what is prescribed there, so its middle the mean of that and of the
   // start.
-  operators.prescribed().prescribed_part(velocity, balanced.prescribed);
-  balanced.prescribed.sadd(0.5, 0.5, prescribed);
-  outlets.leave_out_ports(balanced.prescribed);
+  operators.prescribed().prescribed_part(velocity, solution.prescribed);
+  solution.prescribed.sadd(0.5, 0.5, prescribed);
+  outlets.leave_out_ports(solution.prescribed);
 }
 
 void TimeStepping::finish(const Step &step)
 {
   if (!operators.variant().solves_for_displacement())
   {
-    balanced.acceleration.add(step.a0, balanced.velocity);
-    history.advance(step, velocity, balanced.velocity);
-    bulk_history.advance(step, balanced.pressure);
+    solution.acceleration.add(step.a0, solution.velocity);
+    history.advance(step, velocity, solution.velocity);
+    bulk_history.advance(step, solution.pressure);
   }
   // A pressure that is no unknown is left as it is here: state() sets it.
   velocity_older.swap(velocity);
   pressure_older.swap(pressure);
   if (step.extrapolate)
   {
-    velocity.equ(2., balanced.velocity);
+    velocity.equ(2., solution.velocity);
     velocity.add(-1., velocity_older);
-    pressure.equ(2., balanced.pressure);
+    pressure.equ(2., solution.pressure);
     pressure.add(-1., pressure_older);
     extrapolate_pressure(step);
   }
   else
   {
     // An assignment would build a plan of exchange between ranks.
-    velocity.equ(1., balanced.velocity);
-    pressure.equ(1., balanced.pressure);
+    velocity.equ(1., solution.velocity);
+    pressure.equ(1., solution.pressure);
   }
   if (some_pressures_without_history)
   {
-    pressure_known.equ(1., balanced.pressure);
+    pressure_known.equ(1., solution.pressure);
     pressure_known_time = step.balance_time;
   }
-  unknown_pressures.finish_step(balanced);
+  unknown_pressures.finish_step(solution);
   present_time = step.time;
-  balanced.step = step;
+  solution.step = step;
   products.advance();
   ledger.forget_forces();
-  operators.finish_step(balanced, present());
+  operators.finish_step(solution, present());
   wall_shear.advance(step, present());
   kept.advance(step);
 }
@@ -479,8 +479,8 @@ void TimeStepping::extrapolate_pressure(const Step &step)
   // and the line through the last two of them leads to its end.
   const double factor = (step.time - step.balance_time) / (step.balance_time - pressure_known_time);
   for (const unsigned int i : pressures_without_history)
-    pressure.begin()[i] = balanced.pressure.begin()[i] +
-                          factor * (balanced.pressure.begin()[i] - pressure_known.begin()[i]);
+    pressure.begin()[i] = solution.pressure.begin()[i] +
+                          factor * (solution.pressure.begin()[i] - pressure_known.begin()[i]);
 }
 
 void TimeStepping::deform_by_imbalance(const double time)
@@ -532,12 +532,12 @@ void TimeStepping::deform_massless()
   products.forget();
 }
 
-double TimeStepping::change_at_rest(const Step &step)
+double TimeStepping::steady_change(const Step &step)
 {
   // What round-off leaves of a region that nothing loads is no change.
   constexpr double least_share = 1e-5;
   const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
-  const double way = BranchHistory::step_displacement(step);
+  const double displacement_by_velocity = BranchHistory::step_displacement(step);
   const DistributedVector &displacement = history.displacement();
   const std::size_t n = problem.materials.size();
   // By region: the change, and what it is a part of. Displacements [m] of solids, forces [N] of
@@ -545,14 +545,14 @@ double TimeStepping::change_at_rest(const Step &step)
   std::vector<double> sizes(2 * n, 0.);
   for (unsigned int region = 0; region < n; ++region)
   {
-    double &change = sizes[region], &whole = sizes[n + region];
+    double &change = sizes[region], &total = sizes[n + region];
     if (problem.materials[region].is_solid())
     {
       for (const unsigned int i : nodes[region])
       {
-        const double of_step = way * balanced.velocity.begin()[i];
+        const double of_step = displacement_by_velocity * solution.velocity.begin()[i];
         change = std::max(change, std::abs(of_step));
-        whole = std::max(whole, std::abs(displacement.begin()[i] + of_step));
+        total = std::max(total, std::abs(displacement.begin()[i] + of_step));
       }
       continue;
     }
@@ -564,12 +564,12 @@ double TimeStepping::change_at_rest(const Step &step)
       velocity_work.add(step.a0 * problem.materials[region].density, momentum);
       return velocity_work.linfty_norm();
     };
-    mixture.equ(1., balanced.velocity);
-    whole = force_of(mixture);
+    mixture.equ(1., solution.velocity);
+    total = force_of(mixture);
     mixture.add(-1., velocity);
     change = force_of(mixture);
-    operators.products().multiply_gradient(region, velocity_work, balanced.pressure);
-    whole = std::max(whole, least_share * velocity_work.linfty_norm());
+    operators.products().multiply_gradient(region, velocity_work, solution.pressure);
+    total = std::max(total, least_share * velocity_work.linfty_norm());
   }
   Utilities::MPI::max(sizes, problem.communicator, sizes);
   std::array<double, 2> largest{}; // of liquids, of solids
@@ -611,18 +611,18 @@ void TimeStepping::solve_steady(const double time)
   mass = 0.;
   operators.loads().add(time, momentum);
   outlets.take_forces(momentum);
-  balanced.prescribed = 0.;
+  solution.prescribed = 0.;
   // A solid at rest has no velocity to prescribe: its supports hold.
   if (!solid && !operators.prescribed().is_homogeneous())
   {
     operators.prescribed().evaluate(time, prescribed);
-    balanced.prescribed.equ(1., prescribed);
-    operators.system().eliminate_prescribed(balanced.prescribed, momentum, mass);
+    solution.prescribed.equ(1., prescribed);
+    operators.system().eliminate_prescribed(solution.prescribed, momentum, mass);
   }
   {
     SectionTimer::Scope scope(log.timer(), "solve");
     velocity_work = 0.;
-    operators.system().solve(balanced.prescribed, momentum, mass, velocity_work, pressure, report);
+    operators.system().solve(solution.prescribed, momentum, mass, velocity_work, pressure, report);
   }
   // Nothing flows out of a solid at rest.
   if (!solid)
@@ -633,11 +633,11 @@ void TimeStepping::solve_steady(const double time)
   (solid ? history.displacement() : velocity).equ(1., velocity_work);
   present_time = time;
   // As a step without inertia: what the ledger says of it.
-  balanced.step = Step();
-  balanced.step.balance_time = time;
-  balanced.velocity.equ(1., velocity);
-  balanced.pressure.equ(1., pressure);
-  balanced.acceleration = 0.;
+  solution.step = Step();
+  solution.step.balance_time = time;
+  solution.velocity.equ(1., velocity);
+  solution.pressure.equ(1., pressure);
+  solution.acceleration = 0.;
   products.forget();
   ledger.forget_forces();
 }
@@ -690,7 +690,7 @@ State TimeStepping::state()
 
 PowerBalance TimeStepping::power_balance(const bool relaxation)
 {
-  return ledger.balance({balanced, velocity_older, velocity}, relaxation);
+  return ledger.balance({solution, velocity_older, velocity}, relaxation);
 }
 
 Energy TimeStepping::energy()

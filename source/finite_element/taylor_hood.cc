@@ -201,11 +201,11 @@ void TaylorHood<dim>::begin_step(const Step &step, const State & /*start*/)
 }
 
 template <int dim>
-void TaylorHood<dim>::finish_step(const BalancedStep &balanced, const State &state)
+void TaylorHood<dim>::finish_step(const StepSolution &solution, const State &state)
 {
-  terms.finish_step(balanced, state);
+  terms.finish_step(solution, state);
   if (moving_mesh)
-    moving_mesh->finish_step(balanced);
+    moving_mesh->finish_step(solution);
 }
 
 template <int dim>
@@ -265,11 +265,11 @@ std::unique_ptr<HarmonicSystem<dim>> TaylorHood<dim>::harmonic_system(const Harm
   std::unique_ptr<LoadedBody<dim>> loaded;
   if (!terms.empty())
   {
-    LoadedState at_rest{state.displacement, state.velocity, state.pressure, {}};
+    LoadedState loaded_state{state.displacement, state.velocity, state.pressure, {}};
     if (moving_mesh)
-      at_rest.mesh_displacement = moving_mesh->displacement();
+      loaded_state.mesh_displacement = moving_mesh->displacement();
     loaded = std::make_unique<LoadedBody<dim>>(space, problem, terms.of_models(), metrics.get(),
-                                               at_rest);
+                                               loaded_state);
   }
   return std::make_unique<TaylorHoodHarmonic<dim>>(space, problem, operators, constraints,
                                                    load_list, linear_products, state,

@@ -27,7 +27,7 @@ bool TaylorHoodNonlinear<dim>::is_in(const unsigned int region) const
 }
 
 template <int dim>
-void TaylorHoodNonlinear<dim>::move_mesh(BalancedStep &state)
+void TaylorHoodNonlinear<dim>::move_mesh(StepSolution &state)
 {
   if (moving_mesh != nullptr)
     moving_mesh->move(state);
@@ -43,7 +43,7 @@ void TaylorHoodNonlinear<dim>::set_mesh_change(const Step &step,
 }
 
 template <int dim>
-void TaylorHoodNonlinear<dim>::check_mesh(const BalancedStep &state)
+void TaylorHoodNonlinear<dim>::check_mesh(const StepSolution &state)
 {
   if (moving_mesh != nullptr)
     moving_mesh->check(state);

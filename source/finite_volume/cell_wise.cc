@@ -1,10 +1,10 @@
 #include <continua/finite_volume/cell_wise.h>
 
 #include <continua/base/interruption.h>
-#include <continua/finite_volume/cell_initial_state.h>
-#include <continua/finite_volume/cell_kelly_indicator.h>
-#include <continua/finite_volume/cell_traction_jump.h>
-#include <continua/finite_volume/cell_vibration.h>
+#include <continua/finite_volume/cell_wise_initial_state.h>
+#include <continua/finite_volume/cell_wise_kelly_indicator.h>
+#include <continua/finite_volume/cell_wise_traction_jump.h>
+#include <continua/finite_volume/cell_wise_vibration.h>
 #include <continua/linear_algebra/matrix_product.h>
 
 #include <deal.II/base/mpi.h>
@@ -94,7 +94,7 @@ template <int dim>
 std::vector<std::vector<unsigned int>> CellWise<dim>::velocity_nodes() const
 {
   std::vector<std::vector<unsigned int>> nodes;
-  for (const CellOperators &of_region : operators)
+  for (const CellWiseOperators &of_region : operators)
     nodes.push_back(rows_with_entries(of_region.stiffness));
   return nodes;
 }
@@ -103,7 +103,7 @@ template <int dim>
 std::vector<std::vector<unsigned int>> CellWise<dim>::pressure_nodes() const
 {
   std::vector<std::vector<unsigned int>> nodes;
-  for (const CellOperators &of_region : operators)
+  for (const CellWiseOperators &of_region : operators)
     nodes.push_back(rows_with_entries(of_region.divergence));
   return nodes;
 }
@@ -213,8 +213,8 @@ void CellWise<dim>::begin_step(const Step &step, const State &start)
   vertex_motion->begin_step(step, start);
   vertex_motion->check();
   take_shapes();
-  // On the way to rest nothing depends on how the mesh came to its place.
-  if (step.is_towards_rest)
+  // On the way to a steady state nothing depends on how the mesh came to its place.
+  if (step.finds_steady_state)
     swept_volumes.reset();
   else
     swept_volumes.measure(step, vertex_motion->older_places(), vertex_motion->places_at_start(),
@@ -270,12 +270,12 @@ void CellWise<dim>::take_motion(const State &state, MotionExtremes &extremes)
 }
 
 template <int dim>
-void CellWise<dim>::finish_step(const BalancedStep &balanced, const State &state)
+void CellWise<dim>::finish_step(const StepSolution &solution, const State &state)
 {
-  step_variant.finish_step(balanced, state);
+  step_variant.finish_step(solution, state);
   if (!vertex_motion)
     return;
-  const std::string warning = vertex_motion->finish_step(balanced.step.time);
+  const std::string warning = vertex_motion->finish_step(solution.step.time);
   if (!warning.empty())
     log.warning(warning);
 }
@@ -329,10 +329,10 @@ double CellWise<dim>::error_norm(const State &state,
 template <int dim>
 std::unique_ptr<VibrationOperator<dim>> CellWise<dim>::vibration(const VibratingState &state)
 {
-  SystemCoefficients at_rest;
-  at_rest.set_steady(problem);
-  return std::make_unique<CellVibration<dim>>(equations,
-                                              linear_system.cell_coefficients(at_rest, 1.), state);
+  SystemCoefficients steady;
+  steady.set_steady(problem);
+  return std::make_unique<CellWiseVibration<dim>>(
+      equations, linear_system.cell_coefficients(steady, 1.), state);
 }
 
 template class CellWise<2>;

@@ -13,14 +13,14 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-CoupledSolve<dim>::CoupledSolve(const CellSystem<dim> &system) : system(system)
+CoupledSolve<dim>::CoupledSolve(const CellWiseSystem<dim> &system) : system(system)
 {
 }
 
 template <int dim>
 void CoupledSolve<dim>::reinit()
 {
-  const CellSpace<dim> &space = system.space;
+  const CellWiseSpace<dim> &space = system.space;
   const bool with_pressure = system.coefficients().with_pressure;
   Triplets matrix;
   matrix.n = system.n_velocities() + (with_pressure ? space.pressures.n_values() : 0);
@@ -95,7 +95,7 @@ void CoupledSolve<dim>::check_solution(const DistributedVector &momentum,
   double pressure_change = 0.;
   if (with_pressure)
   {
-    DistributedVector force = system.space.velocity_vector(), at_rest = force,
+    DistributedVector force = system.space.velocity_vector(), steady = force,
                       other = system.space.pressure_vector(), nothing = other;
     const auto size_of_force = [&](const DistributedVector &u, const DistributedVector &p)
     {
@@ -109,7 +109,7 @@ void CoupledSolve<dim>::check_solution(const DistributedVector &momentum,
       largest_diagonal = std::max(largest_diagonal, system.momentum_diagonal()[cell] *
                                                         system.space.mesh.cells()[cell].volume);
     largest_diagonal = Utilities::MPI::max(largest_diagonal, system.space.communicator);
-    const double of_pressure = size_of_force(at_rest, pressure),
+    const double of_pressure = size_of_force(steady, pressure),
                  of_velocity = size_of_force(velocity, nothing);
     if (of_velocity <= 1e-10 * of_pressure)
     {
@@ -118,7 +118,7 @@ void CoupledSolve<dim>::check_solution(const DistributedVector &momentum,
     }
     const double size =
         std::max({of_pressure, of_velocity, 1e-6 * largest_diagonal * velocity_size});
-    pressure_change = size_of_force(at_rest, mass_residual) / size;
+    pressure_change = size_of_force(steady, mass_residual) / size;
   }
   if (!(velocity_change <= 1e-7) || !(pressure_change <= 1e-7))
   {

@@ -5,7 +5,8 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-DisplacementStep<dim>::DisplacementStep(const CellSystem<dim> &system, const CellLoads<dim> &loads)
+DisplacementStep<dim>::DisplacementStep(const CellWiseSystem<dim> &system,
+                                        const CellWiseLoads<dim> &loads)
     : system(system), loads(loads)
 {
 }
@@ -21,9 +22,9 @@ void DisplacementStep<dim>::reinit()
 }
 
 template <int dim>
-CellCoefficients DisplacementStep<dim>::coefficients(const Derivatives &derivatives) const
+CellWiseCoefficients DisplacementStep<dim>::coefficients(const Derivatives &derivatives) const
 {
-  CellCoefficients result;
+  CellWiseCoefficients result;
   result.with_pressure = false;
   result.correct_fluxes = false;
   for (const Material &material : system.problem.materials)
@@ -38,36 +39,36 @@ template <int dim>
 void DisplacementStep<dim>::set_right_side(const Step &step,
                                            const DisplacementLevels &levels,
                                            const Derivatives &derivatives,
-                                           BalancedStep &balanced)
+                                           StepSolution &solution)
 {
   momentum = 0.;
-  levels.combine(derivatives.second_known, balanced.acceleration);
+  levels.combine(derivatives.second_known, solution.acceleration);
   for (unsigned int region = 0; region < system.operators.size(); ++region)
     for (unsigned int i = 0; i < momentum.locally_owned_size(); ++i)
       momentum.begin()[i] -= system.problem.materials[region].density *
                              system.operators[region].volume.begin()[i] *
-                             balanced.acceleration.begin()[i];
+                             solution.acceleration.begin()[i];
   loads.add(step.balance_time, momentum);
   // U = own D + known levels, so that a prescribed velocity prescribes D.
   levels.combine(derivatives.first_known, known_velocity);
   if (!system.conditions.is_homogeneous())
-    system.conditions.evaluate(step.balance_time, balanced.prescribed);
-  work.equ(1. / derivatives.first_own, balanced.prescribed);
+    system.conditions.evaluate(step.balance_time, solution.prescribed);
+  work.equ(1. / derivatives.first_own, solution.prescribed);
   work.add(-1. / derivatives.first_own, known_velocity);
   system.set_prescribed(work, momentum);
 }
 
 template <int dim>
-void DisplacementStep<dim>::solve(CellSolve<dim> &cell_solve,
+void DisplacementStep<dim>::solve(CellWiseSolve<dim> &cell_solve,
                                   const Derivatives &derivatives,
                                   DistributedVector &displacement,
-                                  BalancedStep &balanced,
+                                  StepSolution &solution,
                                   StepReport &report)
 {
-  cell_solve.solve(momentum, mass, displacement, balanced.pressure, report);
-  balanced.acceleration.add(derivatives.second_own, displacement);
-  balanced.velocity.equ(1., known_velocity);
-  balanced.velocity.add(derivatives.first_own, displacement);
+  cell_solve.solve(momentum, mass, displacement, solution.pressure, report);
+  solution.acceleration.add(derivatives.second_own, displacement);
+  solution.velocity.equ(1., known_velocity);
+  solution.velocity.add(derivatives.first_own, displacement);
 }
 
 template class DisplacementStep<2>;

@@ -7,7 +7,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-ExcessVelocity<dim>::ExcessVelocity(const CellSystem<dim> &system,
+ExcessVelocity<dim>::ExcessVelocity(const CellWiseSystem<dim> &system,
                                     const LinearReconstruction<dim> &reconstruction)
     : system(system), reconstruction(reconstruction)
 {
@@ -22,8 +22,8 @@ void ExcessVelocity<dim>::reinit()
     some_region = some_region || system.has_excess_velocity(region);
   if (!some_region)
     return;
-  const CellSpace<dim> &space = system.space;
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseSpace<dim> &space = system.space;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   number_of.assign(mesh.faces().size(), VolumeFace<dim>::none);
   for (unsigned int f = 0; f < mesh.faces().size(); ++f)
   {
@@ -42,8 +42,8 @@ void ExcessVelocity<dim>::reinit()
     {
       const unsigned int number = surface.number_in_cell[side];
       const double sign = (number % 2 == 0 ? -1. : 1.) * (side == 0 ? 1. : -1.);
-      const bool is_whole = level[side] >= level[1 - side];
-      face.weight[side] = !is_whole ? 0. : level[0] == level[1] ? 0.5 * sign : sign;
+      const bool is_coarse = level[side] >= level[1 - side];
+      face.weight[side] = !is_coarse ? 0. : level[0] == level[1] ? 0.5 * sign : sign;
       double area = 0.;
       for (const unsigned int other : mesh.cells()[surface.cell(side)].faces)
       {
@@ -94,7 +94,7 @@ void ExcessVelocity<dim>::add_to_cells(const Face &face,
                                        const double velocity,
                                        DistributedVector &target) const
 {
-  const CellSpace<dim> &space = system.space;
+  const CellWiseSpace<dim> &space = system.space;
   const VolumeFace<dim> &surface = space.mesh.faces()[face.face];
   for (unsigned int side = 0; side < 2; ++side)
     if (space.mesh.cells()[surface.cell(side)].is_owned)
@@ -125,7 +125,7 @@ void ExcessVelocity<dim>::advance(const Step &step, const DistributedVector &pre
   std::swap(present, older);
   for (DistributedVector &vector : present)
     vector = 0.;
-  const CellSpace<dim> &space = system.space;
+  const CellWiseSpace<dim> &space = system.space;
   const unsigned int first = dim * space.velocities.first_owned();
   for (const Face &face : faces)
   {

@@ -9,7 +9,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-FaceBalance<dim>::FaceBalance(const CellSystem<dim> &system,
+FaceBalance<dim>::FaceBalance(const CellWiseSystem<dim> &system,
                               const SplitEquations<dim> &equations,
                               const FaceLinks<dim> &links)
     : system(system), equations(equations), links(links)
@@ -29,8 +29,8 @@ void FaceBalance<dim>::reinit()
 template <int dim>
 void FaceBalance<dim>::find_pressures()
 {
-  const CellSpace<dim> &space = system.space;
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseSpace<dim> &space = system.space;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   for (unsigned int f = 0; f < mesh.faces().size(); ++f)
   {
     const VolumeFace<dim> &surface = mesh.faces()[f];
@@ -58,8 +58,8 @@ void FaceBalance<dim>::find_pressures()
 template <int dim>
 void FaceBalance<dim>::invert_blocks()
 {
-  const CellSpace<dim> &space = system.space;
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseSpace<dim> &space = system.space;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   blocks.clear();
   for (const auto &link : links.links())
   {

@@ -34,7 +34,7 @@ Tensor<1, dim> value_of(const BoundaryPart &part,
 } // namespace
 
 template <int dim>
-FaceConditions<dim>::FaceConditions(const CellSpace<dim> &space,
+FaceConditions<dim>::FaceConditions(const CellWiseSpace<dim> &space,
                                     const std::vector<BoundaryCondition> &conditions)
     : space(space), conditions(conditions)
 {
@@ -49,7 +49,7 @@ void FaceConditions<dim>::build()
       condition_of[{conditions[c].boundary_id, region}] = c;
 
   boundary_faces.clear();
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   number_of_face.assign(mesh.faces().size(), numbers::invalid_unsigned_int);
   for (unsigned int f = 0; f < mesh.faces().size(); ++f)
   {

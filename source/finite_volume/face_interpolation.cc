@@ -3,7 +3,7 @@
 namespace Continua
 {
 template <int dim>
-FaceInterpolation<dim>::FaceInterpolation(const CellMesh<dim> &mesh,
+FaceInterpolation<dim>::FaceInterpolation(const CellWiseMesh<dim> &mesh,
                                           const ValueSpace<dim> &space,
                                           const double blending)
     : mesh(mesh), space(space), blending(blending)

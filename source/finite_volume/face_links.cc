@@ -8,7 +8,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-FaceLinks<dim>::FaceLinks(const CellSystem<dim> &system, const SplitEquations<dim> &equations)
+FaceLinks<dim>::FaceLinks(const CellWiseSystem<dim> &system, const SplitEquations<dim> &equations)
     : system(system), equations(equations)
 {
 }
@@ -16,9 +16,9 @@ FaceLinks<dim>::FaceLinks(const CellSystem<dim> &system, const SplitEquations<di
 template <int dim>
 void FaceLinks<dim>::reinit(const bool by_value)
 {
-  const CellSpace<dim> &space = system.space;
-  const CellMesh<dim> &mesh = space.mesh;
-  const CellCoefficients &coefficients = system.coefficients();
+  const CellWiseSpace<dim> &space = system.space;
+  const CellWiseMesh<dim> &mesh = space.mesh;
+  const CellWiseCoefficients &coefficients = system.coefficients();
   std::vector<double> moduli;
   for (unsigned int region = 0; region < system.problem.materials.size(); ++region)
     moduli.push_back(
@@ -75,7 +75,7 @@ void FaceLinks<dim>::reinit(const bool by_value)
 template <int dim>
 void FaceLinks<dim>::set_hold(Link &link) const
 {
-  const CellSpace<dim> &space = system.space;
+  const CellWiseSpace<dim> &space = system.space;
   const VolumeFace<dim> &surface = space.mesh.faces()[link.face];
   link.hold.fill(link.weight_ratio * link.stiffness[0]);
   if (!equations.has_pressure() || !system.conditions.of_face(link.face).normal_is_prescribed)

@@ -5,7 +5,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-FaceTraction<dim>::FaceTraction(const CellSpace<dim> &space,
+FaceTraction<dim>::FaceTraction(const CellWiseSpace<dim> &space,
                                 const double stencil_ratio,
                                 const double trace_ratio,
                                 const bool replaced)

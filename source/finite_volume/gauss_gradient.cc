@@ -6,7 +6,7 @@
 namespace Continua
 {
 template <int dim>
-GaussGradient<dim>::GaussGradient(const CellMesh<dim> &mesh, const ValueSpace<dim> &space)
+GaussGradient<dim>::GaussGradient(const CellWiseMesh<dim> &mesh, const ValueSpace<dim> &space)
     : mesh(mesh), space(space)
 {
 }

@@ -6,7 +6,7 @@ template <int dim>
 void HeldCells<dim>::reinit(const std::vector<bool> &velocity_is_held,
                             const std::vector<bool> &pressure_is_held)
 {
-  const CellSpace<dim> &space = system.space;
+  const CellWiseSpace<dim> &space = system.space;
   const bool with_pressure = system.coefficients().with_pressure;
   const unsigned int n_values = space.velocities.n_owned();
   const unsigned int n_pressures = with_pressure ? space.pressures.n_owned() : 0;

@@ -93,14 +93,14 @@ bool LinearReconstruction<dim>::is_solid(const unsigned int cell) const
 template <int dim>
 Stencil<double> LinearReconstruction<dim>::displacement(const CellPlace &place,
                                                         const Point<dim> &point,
-                                                        const Point<dim> &at_rest) const
+                                                        const Point<dim> &undeformed) const
 {
   if (place.face == CellPlace::none)
     return velocity(place, point);
   const unsigned int owner = owner_along(place.face, place.cell);
   if (!is_solid(owner) && is_held(place.face))
     return {space.velocities.of_face(place.face, space.mesh.side(place.face, owner)), 1.};
-  return velocity({owner, place.face}, is_solid(owner) ? at_rest : point);
+  return velocity({owner, place.face}, is_solid(owner) ? undeformed : point);
 }
 
 template <int dim>

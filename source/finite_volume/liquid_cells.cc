@@ -12,7 +12,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-void refuse_soft_liquids(const CellSpace<dim> &space,
+void refuse_soft_liquids(const CellWiseSpace<dim> &space,
                          const Problem &problem,
                          const DistributedVector &pressure)
 {
@@ -44,7 +44,7 @@ void refuse_soft_liquids(const CellSpace<dim> &space,
 }
 
 template <int dim>
-NonlinearEnergy energy_of_liquid(const CellSpace<dim> &space,
+NonlinearEnergy energy_of_liquid(const CellWiseSpace<dim> &space,
                                  const Problem &problem,
                                  const unsigned int region,
                                  const DistributedVector &of_velocity,
@@ -70,14 +70,16 @@ NonlinearEnergy energy_of_liquid(const CellSpace<dim> &space,
   return energy;
 }
 
-template void refuse_soft_liquids(const CellSpace<2> &, const Problem &, const DistributedVector &);
-template NonlinearEnergy energy_of_liquid(const CellSpace<2> &,
+template void
+refuse_soft_liquids(const CellWiseSpace<2> &, const Problem &, const DistributedVector &);
+template NonlinearEnergy energy_of_liquid(const CellWiseSpace<2> &,
                                           const Problem &,
                                           unsigned int,
                                           const DistributedVector &,
                                           const DistributedVector &);
-template void refuse_soft_liquids(const CellSpace<3> &, const Problem &, const DistributedVector &);
-template NonlinearEnergy energy_of_liquid(const CellSpace<3> &,
+template void
+refuse_soft_liquids(const CellWiseSpace<3> &, const Problem &, const DistributedVector &);
+template NonlinearEnergy energy_of_liquid(const CellWiseSpace<3> &,
                                           const Problem &,
                                           unsigned int,
                                           const DistributedVector &,

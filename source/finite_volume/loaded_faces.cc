@@ -3,10 +3,10 @@
 namespace Continua
 {
 template <int dim>
-LoadedFaces<dim>::LoadedFaces(const CellSpace<dim> &space,
+LoadedFaces<dim>::LoadedFaces(const CellWiseSpace<dim> &space,
                               const Problem &problem,
                               const FaceConditions<dim> &conditions,
-                              const std::vector<CellOperators> &operators,
+                              const std::vector<CellWiseOperators> &operators,
                               const PressureClosure &closure,
                               const CellWiseParameters &parameters)
     : space(space),
@@ -42,19 +42,20 @@ bool LoadedFaces<dim>::exist() const
 template <int dim>
 void LoadedFaces<dim>::make()
 {
-  CellCoefficients rest;
-  rest.with_pressure = system.parameters.has_pressure();
-  rest.correct_fluxes = false;
+  CellWiseCoefficients steady;
+  steady.with_pressure = system.parameters.has_pressure();
+  steady.correct_fluxes = false;
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
   {
     const Material &material = problem.materials[region];
-    rest.mass.push_back(0.);
-    rest.stiffness.push_back(deforms_at_once(region) ? material.instantaneous_shear_modulus() : 0.);
-    rest.compressibility.push_back(material.inverse_bulk_modulus());
-    rest.increment_mobility.push_back(0.);
+    steady.mass.push_back(0.);
+    steady.stiffness.push_back(deforms_at_once(region) ? material.instantaneous_shear_modulus()
+                                                       : 0.);
+    steady.compressibility.push_back(material.inverse_bulk_modulus());
+    steady.increment_mobility.push_back(0.);
   }
   system.reinit();
-  system.prepare(rest);
+  system.prepare(steady);
 
   // What stays as it is: the faces of regions that do not deform at once, and the pressures that
   // follow from no displacement.

@@ -10,7 +10,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-MomentumPredictor<dim>::MomentumPredictor(const CellSystem<dim> &system,
+MomentumPredictor<dim>::MomentumPredictor(const CellWiseSystem<dim> &system,
                                           const SplitEquations<dim> &equations,
                                           const FaceLinks<dim> &links)
     : system(system), equations(equations), links(links), matrix(system.space.mesh)
@@ -20,8 +20,8 @@ MomentumPredictor<dim>::MomentumPredictor(const CellSystem<dim> &system,
 template <int dim>
 void MomentumPredictor<dim>::find_couplings()
 {
-  const CellSpace<dim> &space = system.space;
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseSpace<dim> &space = system.space;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   const auto add = [&](const unsigned int f, const double stiffness)
   {
     const VolumeFace<dim> &face = mesh.faces()[f];
@@ -50,9 +50,9 @@ void MomentumPredictor<dim>::find_couplings()
 template <int dim>
 void MomentumPredictor<dim>::set_row_sums()
 {
-  const CellSpace<dim> &space = system.space;
-  const CellMesh<dim> &mesh = space.mesh;
-  const CellCoefficients &coefficients = system.coefficients();
+  const CellWiseSpace<dim> &space = system.space;
+  const CellWiseMesh<dim> &mesh = space.mesh;
+  const CellWiseCoefficients &coefficients = system.coefficients();
   std::vector<double> &sums = matrix.row_sums();
   for (unsigned int cell = 0; cell < mesh.n_owned_cells(); ++cell)
   {

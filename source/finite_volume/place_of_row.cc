@@ -15,9 +15,9 @@ namespace
 /// The centre of the cell or face that a value of this rank belongs to, and the cell.
 template <int dim>
 std::pair<Point<dim>, unsigned int>
-owner_of(const CellSpace<dim> &space, const ValueSpace<dim> &values, const unsigned int value)
+owner_of(const CellWiseSpace<dim> &space, const ValueSpace<dim> &values, const unsigned int value)
 {
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   for (unsigned int face = 0; face < mesh.faces().size(); ++face)
   {
     const VolumeFace<dim> &surface = mesh.faces()[face];
@@ -31,7 +31,7 @@ owner_of(const CellSpace<dim> &space, const ValueSpace<dim> &values, const unsig
 } // namespace
 
 template <int dim>
-std::string place_of_largest_row(const CellSpace<dim> &space,
+std::string place_of_largest_row(const CellWiseSpace<dim> &space,
                                  const DistributedVector &rows,
                                  const bool of_velocity,
                                  const std::vector<std::string> &regions)
@@ -66,11 +66,11 @@ std::string place_of_largest_row(const CellSpace<dim> &space,
   return Utilities::MPI::broadcast(space.communicator, text, over_ranks.max_index);
 }
 
-template std::string place_of_largest_row(const CellSpace<2> &,
+template std::string place_of_largest_row(const CellWiseSpace<2> &,
                                           const DistributedVector &,
                                           bool,
                                           const std::vector<std::string> &);
-template std::string place_of_largest_row(const CellSpace<3> &,
+template std::string place_of_largest_row(const CellWiseSpace<3> &,
                                           const DistributedVector &,
                                           bool,
                                           const std::vector<std::string> &);

@@ -8,7 +8,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-PressureEquation<dim>::PressureEquation(const CellSystem<dim> &system,
+PressureEquation<dim>::PressureEquation(const CellWiseSystem<dim> &system,
                                         const SplitEquations<dim> &equations,
                                         const FaceLinks<dim> &links,
                                         const FaceBalance<dim> &faces)
@@ -19,7 +19,7 @@ PressureEquation<dim>::PressureEquation(const CellSystem<dim> &system,
 template <int dim>
 void PressureEquation<dim>::reinit()
 {
-  const CellMesh<dim> &mesh = system.space.mesh;
+  const CellWiseMesh<dim> &mesh = system.space.mesh;
   const std::size_t n_owned = mesh.n_owned_cells();
   matrix.reinit(equations.cell_mass().first, 1);
   inverse_diagonal.resize(n_owned);
@@ -48,8 +48,8 @@ void PressureEquation<dim>::reinit()
 template <int dim>
 void PressureEquation<dim>::find_couplings()
 {
-  const CellSpace<dim> &space = system.space;
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseSpace<dim> &space = system.space;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   const std::vector<double> &diagonal = system.momentum_diagonal();
   const bool by_value = system.parameters.boundary_pressure_as == BoundaryPressureAs::value;
   const auto add = [&](const unsigned int f, const double conductance)
@@ -64,22 +64,22 @@ void PressureEquation<dim>::find_couplings()
   {
     const VolumeFace<dim> &surface = mesh.faces()[f];
     const unsigned int region = mesh.cells()[surface.owner].material_id;
-    const double way = surface.distance * surface.normal;
+    const double normal_distance = surface.distance * surface.normal;
     if (!surface.at_boundary() && !surface.is_interface)
     {
-      const double of_increment =
-          0.25 * way * way * system.coefficients().increment_mobility[region];
+      const double of_increment = 0.25 * normal_distance * normal_distance *
+                                  system.coefficients().increment_mobility[region];
       const double of_momentum = surface.owner_weight / diagonal[surface.owner] +
                                  (1. - surface.owner_weight) / diagonal[surface.neighbour];
-      add(f, std::max(of_momentum, of_increment) * surface.area / way);
+      add(f, std::max(of_momentum, of_increment) * surface.area / normal_distance);
     }
     else if (surface.at_boundary() && by_value &&
              !system.conditions.of_face(f).normal_is_prescribed)
     {
-      const double of_increment =
-          0.25 * way * way * system.coefficients().increment_mobility[region];
+      const double of_increment = 0.25 * normal_distance * normal_distance *
+                                  system.coefficients().increment_mobility[region];
       matrix.row_sums()[surface.owner] +=
-          std::max(1. / diagonal[surface.owner], of_increment) * surface.area / way;
+          std::max(1. / diagonal[surface.owner], of_increment) * surface.area / normal_distance;
     }
   }
   // The wall between two materials gives way to a difference of pressures: at once by its links,
@@ -88,14 +88,14 @@ void PressureEquation<dim>::find_couplings()
     if (link.n_sides == 2)
     {
       const VolumeFace<dim> &surface = mesh.faces()[link.face];
-      double way = 0., mobility = 0.;
+      double normal_distance = 0., mobility = 0.;
       for (unsigned int side = 0; side < 2; ++side)
       {
         const unsigned int cell = surface.cell(side);
-        way += std::abs((surface.centre - mesh.cells()[cell].centre) * surface.normal);
+        normal_distance += std::abs((surface.centre - mesh.cells()[cell].centre) * surface.normal);
         mobility += link.share[side] / diagonal[cell];
       }
-      add(link.face, surface.area * (surface.area * link.compliance + mobility / way));
+      add(link.face, surface.area * (surface.area * link.compliance + mobility / normal_distance));
     }
 }
 

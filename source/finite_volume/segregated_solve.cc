@@ -11,7 +11,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-SegregatedSolve<dim>::SegregatedSolve(const CellSystem<dim> &system, Sink sink)
+SegregatedSolve<dim>::SegregatedSolve(const CellWiseSystem<dim> &system, Sink sink)
     : system(system),
       sink(std::move(sink)),
       formulation(system.parameters.formulation),

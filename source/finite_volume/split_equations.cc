@@ -11,7 +11,7 @@ namespace Continua
 using namespace dealii;
 
 template <int dim>
-SplitEquations<dim>::SplitEquations(const CellSystem<dim> &system) : system(system)
+SplitEquations<dim>::SplitEquations(const CellWiseSystem<dim> &system) : system(system)
 {
 }
 
@@ -31,7 +31,7 @@ unsigned int SplitEquations<dim>::global_index(const unsigned int number) const
 template <int dim>
 void SplitEquations<dim>::reinit()
 {
-  const CellSpace<dim> &space = system.space;
+  const CellWiseSpace<dim> &space = system.space;
   const bool with_pressure = system.coefficients().with_pressure;
   n_cells = space.mesh.n_owned_cells();
   first_pressure = dim * space.velocities.n_owned();

@@ -3,7 +3,7 @@
 namespace Continua
 {
 template <int dim>
-SurfaceNormalGradient<dim>::SurfaceNormalGradient(const CellMesh<dim> &mesh,
+SurfaceNormalGradient<dim>::SurfaceNormalGradient(const CellWiseMesh<dim> &mesh,
                                                   const ValueSpace<dim> &space,
                                                   const GaussGradient<dim> &gradient)
     : mesh(mesh), space(space), gradient(gradient)

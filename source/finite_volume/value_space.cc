@@ -12,7 +12,7 @@
 namespace Continua
 {
 template <int dim>
-ValueSpace<dim>::ValueSpace(const CellMesh<dim> &mesh, const InterfaceValue interface_value)
+ValueSpace<dim>::ValueSpace(const CellWiseMesh<dim> &mesh, const InterfaceValue interface_value)
     : mesh(mesh), interface_value(interface_value)
 {
 }

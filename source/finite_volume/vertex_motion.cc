@@ -38,7 +38,7 @@ double volume_at_corner(const std::vector<Point<dim>> &corners, const unsigned i
 } // namespace
 
 template <int dim>
-VertexMotion<dim>::VertexMotion(const CellSpace<dim> &space,
+VertexMotion<dim>::VertexMotion(const CellWiseSpace<dim> &space,
                                 const Problem &problem,
                                 const LinearReconstruction<dim> &reconstruction)
     : space(space),
@@ -78,7 +78,7 @@ void VertexMotion<dim>::find_parts_of_solids()
   parts_of_solids.clear();
   for (DistributedVector &count : counts)
     count = vector();
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   const auto is_held_face = [&](const VolumeFace<dim> &face, const unsigned int material)
   {
     return face.at_boundary() &&
@@ -134,7 +134,7 @@ template <int dim>
 void VertexMotion<dim>::mark_entries()
 {
   // The axis to which all faces of a condition in a region are normal, or dim.
-  const CellMesh<dim> &mesh = space.mesh;
+  const CellWiseMesh<dim> &mesh = space.mesh;
   const auto same_condition =
       [&](const BoundaryCondition &condition, const VolumeFace<dim> &face, const bool of_solid)
   {
@@ -266,7 +266,7 @@ template <int dim>
 void VertexMotion<dim>::begin_step(const Step &step, const State &start)
 {
   solid_motion.equ(1., start.history.displacement());
-  if (!step.is_towards_rest)
+  if (!step.finds_steady_state)
     solid_motion.add(step.size(), start.velocity);
   const BranchCoefficients formula = step.branch(std::numeric_limits<double>::infinity());
   std::vector<double> followed;
@@ -360,16 +360,16 @@ template <int dim>
 VertexPlaces<dim> VertexMotion<dim>::places_at(const DistributedVector &displacement) const
 {
   const DistributedVector with_ghosts = ghosted(displacement);
-  const VertexPlaces<dim> &at_rest = space.mesh.triangulation.get_vertices();
-  VertexPlaces<dim> places = at_rest;
+  const VertexPlaces<dim> &undeformed = space.mesh.triangulation.get_vertices();
+  VertexPlaces<dim> places = undeformed;
   for (const auto &iterator : vertex_dofs.active_cell_iterators())
     if (!iterator->is_artificial())
       for (const unsigned int v : iterator->vertex_indices())
       {
         Point<dim> &place = places[iterator->vertex_index(v)];
         for (unsigned int c = 0; c < dim; ++c)
-          place[c] =
-              at_rest[iterator->vertex_index(v)][c] + with_ghosts(iterator->vertex_dof_index(v, c));
+          place[c] = undeformed[iterator->vertex_index(v)][c] +
+                     with_ghosts(iterator->vertex_dof_index(v, c));
       }
   return places;
 }
@@ -385,17 +385,17 @@ void VertexMotion<dim>::measure_quality()
     const FiniteVolume<dim> &volume = space.mesh.cells()[number];
     if (is_solid(volume.material_id))
       continue;
-    std::vector<Point<dim>> at_rest, present_ones;
+    std::vector<Point<dim>> undeformed, present_ones;
     for (const unsigned int v : volume.iterator->vertex_indices())
     {
-      at_rest.push_back(volume.iterator->vertex(v));
+      undeformed.push_back(volume.iterator->vertex(v));
       present_ones.push_back(moved[volume.iterator->vertex_index(v)]);
     }
-    for (unsigned int v = 0; v < at_rest.size(); ++v)
+    for (unsigned int v = 0; v < undeformed.size(); ++v)
     {
-      double ratio = volume_at_corner<dim>(present_ones, v) / volume_at_corner<dim>(at_rest, v);
-      if (space.is_axisymmetric() && at_rest[v][1] > 0.)
-        ratio *= present_ones[v][1] / at_rest[v][1];
+      double ratio = volume_at_corner<dim>(present_ones, v) / volume_at_corner<dim>(undeformed, v);
+      if (space.is_axisymmetric() && undeformed[v][1] > 0.)
+        ratio *= present_ones[v][1] / undeformed[v][1];
       // What is no number fails the comparison, and is kept.
       if (!std::isnan(least) && !(ratio >= least))
       {

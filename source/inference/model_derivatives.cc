@@ -125,8 +125,8 @@ ModelDerivatives model_derivatives(const std::vector<FitParameter> &parameters,
   for (const unsigned int j : of)
   {
     choices.push_back(formulas(parameters[j], set[j], step));
-    const auto further = sets_of(parameters[j], j, set, choices.back().front());
-    sets.insert(sets.end(), further.begin(), further.end());
+    const auto more_sets = sets_of(parameters[j], j, set, choices.back().front());
+    sets.insert(sets.end(), more_sets.begin(), more_sets.end());
   }
   const std::vector<FitModel::Prediction> predictions = model.predict(sets, "difference");
   std::size_t first = 0;

@@ -31,7 +31,7 @@ ResidualsOfRecord residuals_of_record(const DataRecord &record,
   const unsigned int n = columns.size();
   const std::size_t end = begin + record.size();
   const Whitening whitening(record.noise, record.interval);
-  result.further_information.reinit(n, n);
+  result.other_information.reinit(n, n);
   for (unsigned int a = 0; a < n; ++a)
   {
     const std::vector<double> &column = columns[a];
@@ -40,7 +40,7 @@ ResidualsOfRecord residuals_of_record(const DataRecord &record,
     for (unsigned int b = 0; b < n; ++b)
       for (std::size_t i = 0; i < column.size(); ++i)
         if (i < begin || i >= end)
-          result.further_information(a, b) += column[i] * columns[b][i];
+          result.other_information(a, b) += column[i] * columns[b][i];
   }
   return result;
 }

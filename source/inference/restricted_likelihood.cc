@@ -74,7 +74,7 @@ struct RestrictedLikelihood
     std::vector<std::vector<double>> columns;
     for (const std::vector<double> &column : record.columns)
       columns.push_back(whitening.apply(column));
-    dealii::FullMatrix<double> information = record.further_information;
+    dealii::FullMatrix<double> information = record.other_information;
     for (unsigned int a = 0; a < columns.size(); ++a)
       for (unsigned int b = 0; b < columns.size(); ++b)
         information(a, b) +=

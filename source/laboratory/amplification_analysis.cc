@@ -59,7 +59,7 @@ AmplificationAnalysis::AmplificationAnalysis(const AnalysisInput &input) : Analy
            {"largest difference of amplitude", "largest difference of speed ratio"})
         quantities.add(quantity, name_of(scheme));
   }
-  quantities.refuse_others(file, root.subsection("Expected"), expected);
+  quantities.refuse_unknown(file, root.subsection("Expected"), expected);
 }
 
 std::vector<std::string> AmplificationAnalysis::outline() const

@@ -58,7 +58,7 @@ ArteryFit::ArteryFit(const AnalysisInput &input) : Analysis(input)
   quantities.add("misfit of the diameter", "fit");
   if (parameters.test.has_force)
     quantities.add("misfit of the axial force", "fit");
-  quantities.refuse_others(file, root.subsection("Expected"), expected);
+  quantities.refuse_unknown(file, root.subsection("Expected"), expected);
 }
 
 void ArteryFit::check_rows(const ParameterSection &section) const

@@ -133,11 +133,11 @@ public:
       if (given[i])
         length = std::max(length, std::abs(end[i]));
       else
-        at_rest[i] = system.stress[i];
-      length = std::max(length, std::abs(at_rest[i]));
+        start_stress[i] = system.stress[i];
+      length = std::max(length, std::abs(start_stress[i]));
     }
     Unknowns ignored = {};
-    sign_at_rest = solve_four(matrix, ignored);
+    start_sign = solve_four(matrix, ignored);
   }
 
   /// Goes to the end, or as far as there is equilibrium.
@@ -210,8 +210,8 @@ private:
   const std::array<double, 3> end;
   const std::array<bool, 3> given;
   double length = 0.;
-  std::array<double, 3> at_rest = {};
-  int sign_at_rest = 0;
+  std::array<double, 3> start_stress = {};
+  int start_sign = 0;
   double part = 0.;
   Unknowns unknowns = {}; ///< of the last state
   bool is_finite = true;  ///< whether the last attempt met numbers alone
@@ -242,7 +242,7 @@ private:
     evaluate(unknowns);
     Unknowns change = {};
     for (unsigned int i = 0; i < 3; ++i)
-      change[i] = (next - part) * (given[i] ? end[i] : -at_rest[i]);
+      change[i] = (next - part) * (given[i] ? end[i] : -start_stress[i]);
     if (solve_four(matrix, change) == 0)
       return fail();
     Unknowns at = unknowns;
@@ -260,29 +260,29 @@ private:
       bool is_exact = std::abs(system.volume) <= round_off;
       for (unsigned int i = 0; i < 3; ++i)
       {
-        change[i] = given[i] ? 0. : (1. - next) * at_rest[i] - system.stress[i];
+        change[i] = given[i] ? 0. : (1. - next) * start_stress[i] - system.stress[i];
         is_exact = is_exact && std::abs(change[i]) <= round_off;
       }
       change[3] = -system.volume;
       const int sign = solve_four(matrix, change);
       if (sign == 0)
         return fail();
-      double largest = 0., way = 0.;
+      double largest = 0., largest_change = 0.;
       for (unsigned int i = 0; i < 4; ++i)
       {
         at[i] += change[i];
         if (i < 3)
         {
           largest = std::max(largest, std::abs(change[i]));
-          way = std::max(way, std::abs(at[i] - start[i]));
+          largest_change = std::max(largest_change, std::abs(at[i] - start[i]));
         }
       }
-      if (way > largest_step)
+      if (largest_change > largest_step)
         return fail();
       // Where large stresses cancel in the free directions the changes do not fall as far.
       if (is_exact || (largest <= 1e-12 && std::abs(change[3]) <= 1e-11 * (1. + std::abs(at[3]))))
       {
-        if (sign != sign_at_rest)
+        if (sign != start_sign)
           return false;
         part = next;
         unknowns = at;
@@ -351,40 +351,42 @@ std::array<bool, 3> given_in(const HomogeneousTestType type)
   return {{true, type != HomogeneousTestType::uniaxial, false}};
 }
 
-std::array<double, 3> stretches_in(const HomogeneousTestType type, const double measure)
+std::array<double, 3> stretches_in(const HomogeneousTestType type, const double strain_measure)
 {
-  return {{measure, type == HomogeneousTestType::planar ? 1. : measure, 1.}};
+  return {{strain_measure, type == HomogeneousTestType::planar ? 1. : strain_measure, 1.}};
 }
 } // namespace
 
-HomogeneousTestEnd HomogeneousTest::end(const HomogeneousTestType type, const double measure) const
+HomogeneousTestEnd HomogeneousTest::end(const HomogeneousTestType type,
+                                        const double strain_measure) const
 {
   if (type == HomogeneousTestType::shear)
-    return {measure, ""};
-  std::array<double, 3> logarithms = stretches_in(type, measure);
+    return {strain_measure, ""};
+  std::array<double, 3> logarithms = stretches_in(type, strain_measure);
   for (double &value : logarithms)
     value = std::log(value);
   EquilibriumPath path(law, inverse_bulk_modulus, fibres, logarithms, given_in(type));
   path.follow();
   return path.at_end()
-             ? HomogeneousTestEnd{measure, ""}
+             ? HomogeneousTestEnd{strain_measure, ""}
              : HomogeneousTestEnd{std::exp(path.last_part() * logarithms[0]), path.reason()};
 }
 
-HomogeneousTestPoint HomogeneousTest::at(const HomogeneousTestType type, const double measure) const
+HomogeneousTestPoint HomogeneousTest::at(const HomogeneousTestType type,
+                                         const double strain_measure) const
 {
   if (type == HomogeneousTestType::shear)
-    return sheared(measure);
-  const double rate = 1. / measure;
+    return sheared(strain_measure);
+  const double rate = 1. / strain_measure;
   const PrincipalState state =
-      equilibrium(stretches_in(type, measure), given_in(type),
+      equilibrium(stretches_in(type, strain_measure), given_in(type),
                   {{rate, type == HomogeneousTestType::equibiaxial ? rate : 0., 0.}});
   HomogeneousTestPoint point;
-  point.measure = measure;
+  point.strain_measure = strain_measure;
   point.volume_ratio = state.strain.determinant;
-  point.nominal_stress = state.stress[0] / measure;
+  point.nominal_stress = state.stress[0] / strain_measure;
   point.cauchy_stress = state.stress[0] / point.volume_ratio;
-  point.tangent_modulus = (state.stress_rate[0] - point.nominal_stress) / measure;
+  point.tangent_modulus = (state.stress_rate[0] - point.nominal_stress) / strain_measure;
   point.normal_difference = (state.stress[0] - state.stress[1]) / point.volume_ratio;
   point.energy = law.energy(state.strain);
   point.strain = state.strain;
@@ -394,7 +396,7 @@ HomogeneousTestPoint HomogeneousTest::at(const HomogeneousTestType type, const d
 HomogeneousTestPoint HomogeneousTest::sheared(const double amount) const
 {
   HomogeneousTestPoint point;
-  point.measure = amount;
+  point.strain_measure = amount;
   point.strain.gradient = Tensor<2, 3>(unit_symmetric_tensor<3>());
   point.strain.gradient[0][1] = amount;
   point.strain.fibres = fibres;

@@ -14,31 +14,34 @@ StretchTable read_stretch_table(ParameterSection &section,
                                 const HomogeneousTestType type)
 {
   const bool is_shear = type == HomogeneousTestType::shear;
-  const std::string measure = is_shear ? "shear" : "stretch";
+  const std::string strain_measure = is_shear ? "shear" : "stretch";
   std::string key = word + " table";
   key[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(key[0])));
   StretchTable result;
   result.type = type;
   section.add_input_file(key, result.file,
-                         "A csv file of a measured " + word + " test with the columns " + measure +
+                         "A csv file of a measured " + word + " test with the columns " +
+                             strain_measure +
                              " [1] and stress (force over the area at rest), units in its header; "
                              "the constants of the law are fitted to all tables.");
   if (result.file.empty())
     return result;
-  const CsvTable table(result.file, measure + " [1], stress [kPa]");
-  const std::size_t measure_column = table.find(measure), stress_column = table.find("stress");
-  result.measures = table.values(measure_column, Dimensions::none);
+  const CsvTable table(result.file, strain_measure + " [1], stress [kPa]");
+  const std::size_t strain_measure_column = table.find(strain_measure),
+                    stress_column = table.find("stress");
+  result.strain_measures = table.values(strain_measure_column, Dimensions::none);
   result.stresses = table.values(stress_column, Dimensions::pressure);
   table.require_rows(2);
   // Beyond every solid there is, and where exponentials can no longer be held.
   constexpr double largest_stretch = 100.;
-  for (std::size_t row = 0; row < result.measures.size(); ++row)
-    if (!is_shear &&
-        (result.measures[row] < 1. / largest_stretch || result.measures[row] > largest_stretch))
-      table.refuse(row, measure_column, "a stretch is the length over that at rest, 1 at rest",
+  for (std::size_t row = 0; row < result.strain_measures.size(); ++row)
+    if (!is_shear && (result.strain_measures[row] < 1. / largest_stretch ||
+                      result.strain_measures[row] > largest_stretch))
+      table.refuse(row, strain_measure_column,
+                   "a stretch is the length over that at rest, 1 at rest",
                    "Give values between 0.01 and 100; a strain e is the stretch 1 + e");
-    else if (is_shear && std::abs(result.measures[row]) > largest_stretch)
-      table.refuse(row, measure_column, "the amount of shear is too large",
+    else if (is_shear && std::abs(result.strain_measures[row]) > largest_stretch)
+      table.refuse(row, strain_measure_column, "the amount of shear is too large",
                    "Give values between -100 and 100");
   if (std::all_of(result.stresses.begin(), result.stresses.end(),
                   [](const double stress) { return stress == 0.; }))

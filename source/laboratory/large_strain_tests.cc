@@ -168,9 +168,9 @@ void LargeStrainTests::fit()
     const auto rows = table(
         "fit-" + word_of(homogeneous_test_words(), measured.type),
         {is_shear ? "shear [1]" : "stretch [1]", "measured stress [Pa]", "stress of the law [Pa]"});
-    for (std::size_t row = 0; rows && row < measured.measures.size(); ++row)
-      rows->row({measured.measures[row], measured.stresses[row],
-                 specimen.at(measured.type, measured.measures[row]).nominal_stress});
+    for (std::size_t row = 0; rows && row < measured.strain_measures.size(); ++row)
+      rows->row({measured.strain_measures[row], measured.stresses[row],
+                 specimen.at(measured.type, measured.strain_measures[row]).nominal_stress});
     if (rows)
       rows->flush();
   }
@@ -181,7 +181,7 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
   const bool is_shear = type == HomogeneousTestType::shear;
   const double first = is_shear ? 0. : parameters.smallest_stretch,
                last = is_shear ? parameters.largest_shear : parameters.largest_stretch,
-               rest = is_shear ? 0. : 1.;
+               undeformed = is_shear ? 0. : 1.;
   log.line("Test " + name + ": " + (is_shear ? "shear " : "stretch ") + shortest_number(first) +
            " to " + shortest_number(last));
   const auto strain_law = law();
@@ -191,18 +191,18 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
       table(name, {is_shear ? "shear [1]" : "stretch [1]", "nominal stress [Pa]",
                    "Cauchy stress [Pa]", "tangent modulus [Pa]", "normal stress difference [Pa]",
                    "stretch across the thickness [1]", "volume ratio [1]", "energy [J/m^3]"});
-  const HomogeneousTestEnd shortest = first < rest ? specimen.end(type, first)
-                                                   : HomogeneousTestEnd{first, ""},
-                           longest = last > rest ? specimen.end(type, last)
-                                                 : HomogeneousTestEnd{last, ""};
+  const HomogeneousTestEnd shortest = first < undeformed ? specimen.end(type, first)
+                                                         : HomogeneousTestEnd{first, ""},
+                           longest = last > undeformed ? specimen.end(type, last)
+                                                       : HomogeneousTestEnd{last, ""};
   HomogeneousTestPoint point;
-  for (const double measure : points(first, last))
+  for (const double strain_measure : points(first, last))
   {
-    if (measure < shortest.measure || measure > longest.measure)
+    if (strain_measure < shortest.strain_measure || strain_measure > longest.strain_measure)
       continue;
-    point = specimen.at(type, measure);
+    point = specimen.at(type, strain_measure);
     if (rows)
-      rows->row({measure, point.nominal_stress, point.cauchy_stress, point.tangent_modulus,
+      rows->row({strain_measure, point.nominal_stress, point.cauchy_stress, point.tangent_modulus,
                  point.normal_difference, point.strain.gradient[2][2], point.volume_ratio,
                  point.energy});
   }
@@ -210,10 +210,12 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
     rows->flush();
   for (const HomogeneousTestEnd &end : {shortest, longest})
     if (!end.reason.empty())
-      throw RunError("the test " + name + " ends at the stretch " + six_digits(end.measure) + ": " +
-                     end.reason + ". The rows up to there are in the table. Ask for a range that " +
-                     (end.measure < rest ? "begins after it" : "ends before it") + " (Laboratory/" +
-                     (end.measure < rest ? "Smallest" : "Largest") + " stretch)");
+      throw RunError("the test " + name + " ends at the stretch " + six_digits(end.strain_measure) +
+                     ": " + end.reason +
+                     ". The rows up to there are in the table. Ask for a range that " +
+                     (end.strain_measure < undeformed ? "begins after it" : "ends before it") +
+                     " (Laboratory/" + (end.strain_measure < undeformed ? "Smallest" : "Largest") +
+                     " stretch)");
   const auto stress_and_slope = [&](const double stretch)
   {
     const HomogeneousTestPoint at = specimen.at(type, stretch);
@@ -221,7 +223,7 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
   };
   if (!is_shear)
     state_limit_points(name, "nominal stress", stress_and_slope);
-  summary.add({"modulus at rest", specimen.at(type, rest).tangent_modulus, "Pa", name});
+  summary.add({"modulus at rest", specimen.at(type, undeformed).tangent_modulus, "Pa", name});
   summary.add({"nominal stress at the end", point.nominal_stress, "Pa", name});
   summary.add({"Cauchy stress at the end", point.cauchy_stress, "Pa", name});
   summary.add({"tangent modulus at the end", point.tangent_modulus, "Pa", name});
@@ -321,7 +323,7 @@ void LargeStrainTests::relaxation(const std::string &name,
                                   const double held)
 {
   const bool is_shear = type == HomogeneousTestType::shear;
-  const double rest = is_shear ? 0. : 1., loading_time = parameters.loading_time;
+  const double undeformed = is_shear ? 0. : 1., loading_time = parameters.loading_time;
   log.line(
       (is_shear ? "Shear relaxation: shear " : "Stretch relaxation: stretch ") +
       shortest_number(held) +
@@ -329,7 +331,7 @@ void LargeStrainTests::relaxation(const std::string &name,
       ", for " + shortest_number(time.end_time) + " s");
   const auto strain_law = law();
   const auto fibres = fibres_of_specimen(law_parameters, parameters.direction);
-  const HomogeneousTest at_rest(*strain_law, inverse_bulk_modulus, fibres);
+  const HomogeneousTest relaxed(*strain_law, inverse_bulk_modulus, fibres);
   RelaxingLaw relaxing(*strain_law, material.shear.branches);
   const HomogeneousTest specimen(relaxing, inverse_bulk_modulus, fibres);
   std::vector<std::string> header = {"time [s]", is_shear ? "shear [1]" : "stretch [1]",
@@ -341,12 +343,12 @@ void LargeStrainTests::relaxation(const std::string &name,
   const auto take = [&](const double now, const double duration)
   {
     const double loaded = loading_time > 0. ? std::min(now / loading_time, 1.) : 1.;
-    const double measure = rest + (held - rest) * loaded;
+    const double strain_measure = undeformed + (held - undeformed) * loaded;
     relaxing.begin_step(duration);
-    const HomogeneousTestPoint point = specimen.at(type, measure);
+    const HomogeneousTestPoint point = specimen.at(type, strain_measure);
     relaxing.end_step(point.strain);
-    const double long_term = at_rest.at(type, measure).nominal_stress;
-    std::vector<double> row = {now, measure, point.nominal_stress, long_term};
+    const double long_term = relaxed.at(type, strain_measure).nominal_stress;
+    std::vector<double> row = {now, strain_measure, point.nominal_stress, long_term};
     last = point.nominal_stress;
     if (std::abs(last) > std::abs(largest))
       largest = last;

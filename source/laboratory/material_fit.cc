@@ -132,7 +132,7 @@ MaterialFit::MaterialFit(const AnalysisInput &input) : Analysis(input)
                            "Modulus table = FILE'");
   check_law(section);
   name_quantities();
-  quantities.refuse_others(file, root.subsection("Expected"), expected);
+  quantities.refuse_unknown(file, root.subsection("Expected"), expected);
 }
 
 std::string MaterialFit::key_of_choice() const

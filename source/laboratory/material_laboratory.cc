@@ -44,7 +44,7 @@ MaterialLaboratory::MaterialLaboratory(const AnalysisInput &input) : Analysis(in
   // Before the checks across entries: a misspelt key is the likelier reason for them to fail.
   file.refuse_unknown();
   name_quantities();
-  quantities.refuse_others(file, root.subsection("Expected"), expected);
+  quantities.refuse_unknown(file, root.subsection("Expected"), expected);
   if (laboratory.has("relaxation") ||
       (laboratory.has_steps() && laboratory.large_strain.loading_time > 0.))
     check_loading_time(section);
@@ -102,7 +102,7 @@ void MaterialLaboratory::read_strain_law(ParameterSection section)
                    "Take Type = hookean for the fit, or remove the tables of the laboratory");
   std::size_t n_rows = 0;
   for (const StretchTable &measured : laboratory.large_strain.tables)
-    n_rows += measured.measures.size();
+    n_rows += measured.strain_measures.size();
   const std::size_t n_constants = 1 + strain_law_type(strain_law.type).constants.size();
   if (n_rows > 0 && n_rows <= n_constants)
     section.refuse("Strain law",

@@ -81,7 +81,7 @@ NonlinearWaveTheory::NonlinearWaveTheory(const AnalysisInput &input) : Analysis(
   if (parameters.period > 0.)
     for (const char *const name : {"beats", "difference of the last beat"})
       quantities.add(name);
-  quantities.refuse_others(file, root.subsection("Expected"), expected);
+  quantities.refuse_unknown(file, root.subsection("Expected"), expected);
 }
 
 std::vector<std::string> NonlinearWaveTheory::outline() const
@@ -98,8 +98,8 @@ std::vector<std::string> NonlinearWaveTheory::outline() const
                       ? "beats of " + six_digits(parameters.period) + " s, at most " +
                             std::to_string(parameters.most_beats)
                       : "to " + six_digits(parameters.end_time) + " s");
-  const double whole = parameters.period > 0. ? parameters.period : parameters.end_time;
-  lines.push_back("a row of probes.csv every " + six_digits(whole / parameters.n_intervals()) +
+  const double duration = parameters.period > 0. ? parameters.period : parameters.end_time;
+  lines.push_back("a row of probes.csv every " + six_digits(duration / parameters.n_intervals()) +
                   " s");
   return lines;
 }

@@ -25,7 +25,7 @@ SpinCoatingAnalysis::SpinCoatingAnalysis(const AnalysisInput &input) : Analysis(
   }
   quantities.add("volume of solution");
   quantities.add("duration");
-  quantities.refuse_others(file, root.subsection("Expected"), expected);
+  quantities.refuse_unknown(file, root.subsection("Expected"), expected);
 }
 
 void SpinCoatingAnalysis::compute(const OutputDirectory &directory, Log &log, Summary &summary)

@@ -83,9 +83,10 @@ private:
                                    fibres_of_specimen(law_parameters, direction));
     std::vector<double> values;
     for (const StretchTable &table : tables)
-      for (const double measure : table.measures)
+      for (const double strain_measure : table.strain_measures)
       {
-        values.push_back(specimen.at(table.type, measure).nominal_stress / largest_stress(table));
+        values.push_back(specimen.at(table.type, strain_measure).nominal_stress /
+                         largest_stress(table));
         if (!std::isfinite(values.back()))
           throw RunError("the stress is larger than a number can hold");
       }
@@ -127,9 +128,9 @@ DataRecord data_of_tables(const std::vector<StretchTable> &tables)
   record.unit = "1";
   record.noise.standard_deviation = undefined;
   for (const StretchTable &table : tables)
-    for (std::size_t row = 0; row < table.measures.size(); ++row)
+    for (std::size_t row = 0; row < table.strain_measures.size(); ++row)
     {
-      record.times.push_back(table.measures[row]);
+      record.times.push_back(table.strain_measures[row]);
       record.values.push_back(table.stresses[row] / largest_stress(table));
     }
   return record;

@@ -379,10 +379,10 @@ std::vector<Eigenpair> dominant_eigenpairs(const LinearMap &map,
       break;
     const double size = std::abs(next.front().value);
     const double largest = pairs.empty() ? size : std::abs(pairs.front().value);
-    const bool is_further = pairs.size() < n_wanted
-                                ? size > zero_value * largest
-                                : size > (1. + 1e-8) * std::abs(pairs.back().value);
-    if (!is_further || !space.add(next.front()))
+    const bool continues = pairs.size() < n_wanted
+                               ? size > zero_value * largest
+                               : size > (1. + 1e-8) * std::abs(pairs.back().value);
+    if (!continues || !space.add(next.front()))
       break;
     pairs = space.pairs(n_wanted);
   }

@@ -87,7 +87,7 @@ KrylovReport SaddlePointSolver::solve(const Blocks &blocks,
   const Product of_blocks = [&](const DistributedVector &u, const DistributedVector &p,
                                 DistributedVector &f, DistributedVector &g)
   { multiply_blocks(blocks, u, p, f, g); };
-  const Product &product = blocks.whole ? blocks.whole : of_blocks;
+  const Product &product = blocks.tangent_product ? blocks.tangent_product : of_blocks;
   const auto precondition =
       [&](DistributedVector &f, DistributedVector &g, DistributedVector &u, DistributedVector &p)
   {

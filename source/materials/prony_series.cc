@@ -118,10 +118,10 @@ int jacobian(const gsl_vector *p, void *data, gsl_matrix *result)
     for (std::size_t k = 0; k < n; ++k)
     {
       // i x/(1 + i x) and its derivative by ln x, i x/(1 + i x)^2.
-      const std::complex<double> at_rest = relaxed(problem.samples.omegas[i] * series.times[k]);
-      const std::complex<double> derivative = scale * series.moduli[k] * (1. - at_rest);
+      const std::complex<double> share = relaxed(problem.samples.omegas[i] * series.times[k]);
+      const std::complex<double> derivative = scale * series.moduli[k] * (1. - share);
       set(1 + k, derivative);
-      set(1 + n + k, derivative * at_rest);
+      set(1 + n + k, derivative * share);
     }
   }
   return GSL_SUCCESS;

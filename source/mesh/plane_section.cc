@@ -46,20 +46,20 @@ public:
   }
   Tensor<1, dim - 1> gradient(const Point<dim - 1> &point, const unsigned int = 0) const override
   {
-    const Tensor<1, dim> whole = function.gradient(on_cell(point));
+    const Tensor<1, dim> in_space = function.gradient(on_cell(point));
     Tensor<1, dim - 1> result;
     for (unsigned int i = 0; i + 1 < dim; ++i)
-      result[i] = whole[cell_direction(i)];
+      result[i] = in_space[cell_direction(i)];
     return result;
   }
   SymmetricTensor<2, dim - 1> hessian(const Point<dim - 1> &point,
                                       const unsigned int = 0) const override
   {
-    const SymmetricTensor<2, dim> whole = function.hessian(on_cell(point));
+    const SymmetricTensor<2, dim> in_space = function.hessian(on_cell(point));
     SymmetricTensor<2, dim - 1> result;
     for (unsigned int i = 0; i + 1 < dim; ++i)
       for (unsigned int j = i; j + 1 < dim; ++j)
-        result[i][j] = whole[cell_direction(i)][cell_direction(j)];
+        result[i][j] = in_space[cell_direction(i)][cell_direction(j)];
     return result;
   }
 

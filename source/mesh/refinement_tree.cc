@@ -28,10 +28,10 @@ template <int dim>
 Place place_of(const typename Triangulation<dim>::cell_iterator &cell)
 {
   const CellId id = cell->id();
-  unsigned long way = 1;
+  unsigned long path = 1;
   for (const std::uint8_t child : id.get_child_indices())
-    way = (way << dim) | child;
-  return {id.get_coarse_cell_id(), way};
+    path = (path << dim) | child;
+  return {id.get_coarse_cell_id(), path};
 }
 
 /// Those cells with children whose first active descendant is this rank's: each such cell on one
@@ -56,8 +56,8 @@ template <int dim>
 void save_refinement(const parallel::TriangulationBase<dim> &triangulation, ArchiveWriter &archive)
 {
   std::vector<unsigned long> own;
-  for (const auto &[coarse_cell, way] : own_refined_cells<dim>(triangulation))
-    own.insert(own.end(), {coarse_cell, way});
+  for (const auto &[coarse_cell, path] : own_refined_cells<dim>(triangulation))
+    own.insert(own.end(), {coarse_cell, path});
   std::vector<Place> all;
   for (const std::string &part : all_gather(
            triangulation.get_communicator(),
@@ -70,8 +70,8 @@ void save_refinement(const parallel::TriangulationBase<dim> &triangulation, Arch
     }
   std::sort(all.begin(), all.end());
   std::vector<unsigned long> numbers;
-  for (const auto &[coarse_cell, way] : all)
-    numbers.insert(numbers.end(), {coarse_cell, way});
+  for (const auto &[coarse_cell, path] : all)
+    numbers.insert(numbers.end(), {coarse_cell, path});
   archive.add(name_of_list, numbers);
   archive.add(name_of_number, static_cast<unsigned long>(triangulation.n_global_active_cells()));
 }

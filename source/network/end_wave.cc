@@ -53,15 +53,15 @@ void EndWave::take(const double area)
   vessel.set_end(end, {area, area * at_area(area).velocity});
 }
 
-std::pair<double, double> EndWave::leaving(const double rest, const double area) const
+std::pair<double, double> EndWave::leaving(const double start_area, const double area) const
 {
   // The classic method of Runge and Kutta over the logarithm of the area, in which the speed of the
   // wave varies slowly.
   constexpr unsigned int n_steps = 8;
-  const double length = std::log(area / rest) / n_steps;
+  const double length = std::log(area / start_area) / n_steps;
   const auto slope = [&](const double place, const double velocity)
   {
-    const double there = rest * std::exp(place * length);
+    const double there = start_area * std::exp(place * length);
     return length * there * rate(sign, there, vessel.stiffness(end, there), velocity);
   };
   double velocity = 0.;

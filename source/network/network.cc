@@ -48,10 +48,10 @@ double Network::volume() const
   return sum;
 }
 
-void Network::rest(const double pressure)
+void Network::start_at_rest(const double pressure)
 {
   for (const Edge &edge : edges)
-    edge.vessel->rest(pressure);
+    edge.vessel->start_at_rest(pressure);
 }
 
 void Network::solve_memory(const bool at_end_of_step, const double length)

@@ -237,14 +237,14 @@ void NetworkParameters::check_times(const ParameterSection &section)
     for (const std::string key : {"Most beats", "Tolerance"})
       if (section.given(key))
         section.refuse(key, "there are no beats", "Remove the entry, or give a Period");
-  const double whole = period > 0. ? period : end_time;
-  if (output_interval > 0.5 * whole)
-    section.refuse("Output interval", "is more than half of " + shortest_number(whole) + " s",
+  const double duration = period > 0. ? period : end_time;
+  if (output_interval > 0.5 * duration)
+    section.refuse("Output interval", "is more than half of " + shortest_number(duration) + " s",
                    "Give a shorter one");
-  if (output_interval > 0. && whole / output_interval > most_intervals)
+  if (output_interval > 0. && duration / output_interval > most_intervals)
     section.refuse("Output interval",
-                   "probes.csv would have more than ten million rows in " + shortest_number(whole) +
-                       " s",
+                   "probes.csv would have more than ten million rows in " +
+                       shortest_number(duration) + " s",
                    "Give a longer one");
   for (const TerminalEntries &terminal : terminals)
     if (terminal.period > 0. && period > 0. && std::abs(terminal.period - period) > 1e-6 * period)
@@ -253,18 +253,18 @@ void NetworkParameters::check_times(const ParameterSection &section)
                          " s after which the table of the terminal '" + terminal.node +
                          "' repeats itself",
                      "Correct it, or the 'Table period' of the terminal");
-  check_elastances(whole);
+  check_elastances(duration);
 }
 
-void NetworkParameters::check_elastances(const double whole, const double step) const
+void NetworkParameters::check_elastances(const double duration, const double step) const
 {
   const auto n = static_cast<unsigned int>(
-      step > 0. ? std::clamp(std::ceil(whole / step), 1. * n_samples, 1. * most_samples)
+      step > 0. ? std::clamp(std::ceil(duration / step), 1. * n_samples, 1. * most_samples)
                 : n_samples);
   for (const TerminalEntries &terminal : terminals)
     for (unsigned int i = 0; terminal.law.type == TerminalLaw::Type::heart && i <= n; ++i)
     {
-      const double time = i * whole / n, elastance = terminal.law.value(time);
+      const double time = i * duration / n, elastance = terminal.law.value(time);
       if (!(elastance > 0.))
         terminal.refuse("its Elastance is " + six_digits(elastance) + " Pa/m^3 at " +
                             six_digits(time) + " s",

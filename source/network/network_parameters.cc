@@ -279,7 +279,7 @@ NetworkParameters::make(const std::vector<std::function<double(double)>> &inflow
         initial_pressure - liquid.density * liquid.gravity * heights[node(nodes_at_body[i])];
   }
   Network network(std::move(edges), laws);
-  network.rest(initial_pressure);
+  network.start_at_rest(initial_pressure);
   return network;
 }
 } // namespace Continua

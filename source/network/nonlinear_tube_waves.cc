@@ -158,7 +158,7 @@ Network NonlinearTubeWaves::make() const
   Network network(std::move(edges), laws);
   try
   {
-    network.rest(0.);
+    network.start_at_rest(0.);
   }
   catch (const std::domain_error &)
   {
@@ -190,17 +190,17 @@ std::vector<WaveHistory> NonlinearTubeWaves::histories(const std::vector<double>
     double diameter, hoop_stress; ///< at rest
   };
   const auto diameter_of = [](const double area) { return 2. * std::sqrt(area / FlowLaw::pi); };
-  std::vector<Station> at_rest;
+  std::vector<Station> linear;
   for (const double z : stations)
   {
     const TubeWall wall(section_at(problem, z), wall_theory_of(problem.level));
     const double diameter = diameter_of(network.vessel(branch).values(z).area);
-    at_rest.push_back({wall, diameter, wall.hoop_stress(settings.mean_pressure, 0.5 * diameter)});
+    linear.push_back({wall, diameter, wall.hoop_stress(settings.mean_pressure, 0.5 * diameter)});
   }
   std::vector<WaveHistory> histories(stations.size());
   const auto record = [&](const std::size_t s, const Vessel::Values &values)
   {
-    const Station &station = at_rest[s];
+    const Station &station = linear[s];
     const double diameter = diameter_of(values.area);
     WaveHistory &history = histories[s];
     history.pressure.push_back(values.pressure);

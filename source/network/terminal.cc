@@ -80,7 +80,7 @@ double Terminal::area_with(const double time, const double source, const double 
     // The wave that comes in is that of the state at rest.
     const Vessel &vessel = wave.of();
     const double memory = vessel.memory_pressure(wave.at()),
-                 rest = vessel.area_at(wave.at(), law.initial_pressure + memory, start);
+                 start_area = vessel.area_at(wave.at(), law.initial_pressure + memory, start);
     return find_area(
         start,
         [&](const double area)
@@ -88,12 +88,12 @@ double Terminal::area_with(const double time, const double source, const double 
           const EndWave::Values values = wave.at_area(area);
           if (memory == 0.)
           {
-            const auto [velocity, slope] = wave.leaving(rest, area);
+            const auto [velocity, slope] = wave.leaving(start_area, area);
             return std::make_pair(values.velocity - velocity, values.velocity_slope - slope);
           }
           // The area of the wall law that has half the pressure of the memory, too.
           const double behind = vessel.area_at(wave.at(), values.pressure + 0.5 * memory, area);
-          const auto [velocity, slope] = wave.leaving(rest, behind);
+          const auto [velocity, slope] = wave.leaving(start_area, behind);
           return std::make_pair(values.velocity - velocity,
                                 values.velocity_slope -
                                     slope * values.stiffness / vessel.stiffness(wave.at(), behind));

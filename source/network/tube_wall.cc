@@ -163,27 +163,27 @@ void TubeWall::check_finite() const
 void TubeWall::set_relaxation()
 {
   const double thickness = section.wall_thickness();
-  double whole = 0., viscosity = 0.;
+  double total = 0., viscosity = 0.;
   for (std::size_t i = 0; i < section.layers.size(); ++i)
   {
     const WallMaterial material = material_of(section.layers[i]);
     const double modulus = material.youngs_modulus * section.layer_thicknesses[i] / thickness;
-    whole += modulus;
+    total += modulus;
     viscosity += modulus * material.relaxation.damping_time;
     for (const WallRelaxation::Branch &branch : material.relaxation.branches)
       relaxing.branches.push_back({modulus * branch.share, branch.relaxation_time});
   }
-  wall_share = whole;
+  wall_share = total;
   // What is around stands beside the wall, as it does in TubeSection::hoop_modulus().
   const double nu = section.poisson_ratio(0.).real(), psi = section.tethered ? 1. - nu * nu : 1.,
                of_support =
                    psi * section.inner_radius * (section.inner_radius + thickness) / thickness;
-  whole += of_support * section.radial_stiffness;
+  total += of_support * section.radial_stiffness;
   viscosity += of_support * section.radial_damping;
-  wall_share /= whole;
-  relaxing.damping_time = viscosity / whole;
+  wall_share /= total;
+  relaxing.damping_time = viscosity / total;
   for (WallRelaxation::Branch &branch : relaxing.branches)
-    branch.share /= whole;
+    branch.share /= total;
 }
 
 bool TubeWall::is_neo_hookean() const

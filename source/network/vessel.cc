@@ -91,7 +91,7 @@ void Vessel::set(const std::vector<double> &areas, const std::vector<double> &fl
     for (const End end : {End::start, End::end})
       of_end(end).state = of_end(end).trace;
   if (past)
-    past->rest(flow);
+    past->start_at_rest(flow);
 }
 
 void Vessel::set_relaxation(const WallRelaxation &relaxation)

@@ -56,7 +56,7 @@ VesselMemory::VesselMemory(const unsigned int n_cells,
   resize(modes, n);
 }
 
-void VesselMemory::rest(const std::vector<double> &flows)
+void VesselMemory::start_at_rest(const std::vector<double> &flows)
 {
   std::fill(pressures.begin(), pressures.end(), 0.);
   for (States &branch : branches)

@@ -36,7 +36,7 @@ public:
                  const FlowLaw &liquid,
                  const std::function<Wall(double)> &wall);
 
-  void rest(double pressure) override;
+  void start_at_rest(double pressure) override;
   double largest_step() const override;
   bool reconstruct() override;
   void advance(double step, double share) override;
@@ -143,7 +143,7 @@ VesselWithWall<Wall>::VesselWithWall(const VesselDescription &description,
 }
 
 template <typename Wall>
-void VesselWithWall<Wall>::rest(const double pressure)
+void VesselWithWall<Wall>::start_at_rest(const double pressure)
 {
   const auto area_of = [&](const Wall &wall, const double weight)
   {
@@ -162,7 +162,7 @@ void VesselWithWall<Wall>::rest(const double pressure)
     of_end(end).state = of_end(end).trace = {area_of(faces[face], weights[face]), 0.};
   }
   if (past)
-    past->rest(flow);
+    past->start_at_rest(flow);
 }
 
 template <typename Wall>

@@ -91,7 +91,7 @@ void NetworkRecord<dim>::resume(ContinuumSolver<dim> & /*solver*/,
 template <int dim>
 void NetworkRecord<dim>::record(const RecordedStep<dim> &step)
 {
-  if (step.is_whole)
+  if (step.ends_step)
     add_row(*step.solver.network(), step.time, step.is_due);
 }
 

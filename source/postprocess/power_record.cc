@@ -166,16 +166,16 @@ void PowerRecord<dim>::record(ContinuumSolver<dim> &solver, const Step &step, co
   if (!run_table.is_writing())
     return;
 
-  Power whole;
-  whole.terms.assign(term_types.size(), 0.);
+  Power total;
+  total.terms.assign(term_types.size(), 0.);
   for (const Power &power : balance.materials)
   {
     for (unsigned int term = 0; term < power.terms.size(); ++term)
-      whole.terms[term] += power.terms[term];
-    whole.relaxation += power.relaxation;
+      total.terms[term] += power.terms[term];
+    total.relaxation += power.relaxation;
   }
   row.assign({step.time, balance.time, balance.external});
-  append(whole, any_relaxes);
+  append(total, any_relaxes);
   if (regions.size() > 1)
     for (unsigned int region = 0; region < regions.size(); ++region)
       append(balance.materials[region], region_relaxes(region));

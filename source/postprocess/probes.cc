@@ -465,7 +465,7 @@ Probes<dim>::columns_of(const ProbeEntries<dim> &probe,
 
 template <int dim>
 void Probes<dim>::name_quantities(const std::vector<FieldComponent> &fields,
-                                  const bool at_rest,
+                                  const bool is_steady,
                                   QuantityNames &names) const
 {
   for (const ProbeEntries<dim> &probe : probes)
@@ -476,7 +476,7 @@ void Probes<dim>::name_quantities(const std::vector<FieldComponent> &fields,
     {
       const std::string &field = column.field, label = column.label();
       names.add("final " + field, label);
-      if (at_rest)
+      if (is_steady)
         continue;
       for (const char *const what : {"maximum ", "time of maximum ", "minimum ", "time of minimum ",
                                      "first maximum ", "time of first maximum ", "mean "})

@@ -15,7 +15,7 @@ void StepRecord<dim>::attempt(const StepReport &report)
 template <int dim>
 void StepRecord<dim>::record(const RecordedStep<dim> &step)
 {
-  if (!step.is_whole)
+  if (!step.ends_step)
     return;
   smallest = std::min(smallest, step.size);
   largest = std::max(largest, step.size);

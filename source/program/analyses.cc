@@ -74,8 +74,8 @@ AnalysisRow row_of_periodic_response()
       "The state that periodic loads lead to after many periods, by its harmonics and without "
       "steps in time.",
       {"Periodic response", "Periodic state", "Time", "Network"}, Motion::harmonic, true, false);
-  row.traits_2d.name_others = &Transient<2>::name_quantities;
-  row.traits_3d.name_others = &Transient<3>::name_quantities;
+  row.traits_2d.name_quantities_of_others = &Transient<2>::name_quantities;
+  row.traits_3d.name_quantities_of_others = &Transient<3>::name_quantities;
   return row;
 }
 
@@ -86,8 +86,8 @@ AnalysisRow row_of_pulse_response()
       "pulse response",
       "Motion of a linear body from rest under loads that vary in time, without steps in time.",
       {"Pulse response", "Time", "Network"}, Motion::harmonic, true, false);
-  row.traits_2d.name_others = &Transient<2>::name_quantities;
-  row.traits_3d.name_others = &Transient<3>::name_quantities;
+  row.traits_2d.name_quantities_of_others = &Transient<2>::name_quantities;
+  row.traits_3d.name_quantities_of_others = &Transient<3>::name_quantities;
   return row;
 }
 
@@ -98,8 +98,8 @@ AnalysisRow row_of_theory()
       "linear wave theory", "Linear waves of a tube at its stations, without a mesh.",
       {"Time", "Periodic state", "Adaptivity", "Wave theory", "Network", "Exact solution"},
       Motion::in_time, false, false);
-  row.traits_2d.name_others = &Transient<2>::name_quantities;
-  row.traits_3d.name_others = &Transient<3>::name_quantities;
+  row.traits_2d.name_quantities_of_others = &Transient<2>::name_quantities;
+  row.traits_3d.name_quantities_of_others = &Transient<3>::name_quantities;
   return row;
 }
 } // namespace
@@ -112,12 +112,12 @@ const AnalysisTable &analyses()
                               {"Time", "Steady", "Periodic state", "Adaptivity", "Wall directions",
                                "Wave theory", "Network", "Exact solution"},
                               Motion::in_time, true, true),
-       row_of_case<Steady>(
-           "steady",
-           "State at rest: one solve for a body that is all solid or all fluid, steps to rest for "
-           "a mixture.",
-           {"Steady", "Adaptivity", "Wall directions", "Network", "Exact solution"},
-           Motion::at_rest, true, false),
+       row_of_case<Steady>("steady",
+                           "State at rest: one solve for a body that is all solid or all fluid, "
+                           "steps to a steady state for "
+                           "a mixture.",
+                           {"Steady", "Adaptivity", "Wall directions", "Network", "Exact solution"},
+                           Motion::steady, true, false),
        row_of_case<Modal>("modal", "Frequencies and shapes of a solid body's free vibrations.",
                           {"Modal", "Network"}, Motion::vibrating, true, false),
        row_of_case<Harmonic>("harmonic",

@@ -198,9 +198,10 @@ std::vector<Source> sources()
        "",
        {}},
       {"Steady",
-       "How a body of fluid and solid together is stepped to rest.",
+       "How a body of fluid and solid together is stepped to a steady state.",
        {},
-       [](Root &root, const General &) { RestParameters().read(root.subsection("Steady"), false); },
+       [](Root &root, const General &)
+       { SteadyParameters().read(root.subsection("Steady"), false); },
        "",
        {}},
       {"Periodic state",
@@ -344,7 +345,7 @@ std::vector<Source> sources()
        {
          // As Case reads it.
          const Motion motion = analyses().row(general.analysis).traits_2d.motion;
-         AdaptationParameters().read(root.subsection("Adaptivity"), motion != Motion::at_rest);
+         AdaptationParameters().read(root.subsection("Adaptivity"), motion != Motion::steady);
        },
        "",
        {}},

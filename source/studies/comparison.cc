@@ -36,11 +36,11 @@ Comparison::Comparison(const AnalysisInput &input)
   QuantityNames of_runs;
   for (const Variant &variant : variants)
   {
-    variant.quantities.refuse_others(section(), "Quantities", parameters.quantities);
+    variant.quantities.refuse_unknown(section(), "Quantities", parameters.quantities);
     of_runs.add(variant.quantities);
   }
   ComparisonReport::name_quantities(parameters, of_runs, quantities);
-  quantities.refuse_others(file, section().subsection("Expected"), parameters.expected);
+  quantities.refuse_unknown(file, section().subsection("Expected"), parameters.expected);
 }
 
 void Comparison::refine_mesh(CommandLine &of_run,

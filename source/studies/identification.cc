@@ -48,7 +48,7 @@ Identification::Identification(const AnalysisInput &input)
   check_numbers();
   check_other_model();
   IdentificationReport::name_quantities(parameters, expected, quantities);
-  quantities.refuse_others(file, section().subsection("Expected"), parameters.expected);
+  quantities.refuse_unknown(file, section().subsection("Expected"), parameters.expected);
 }
 
 void Identification::choose_model()

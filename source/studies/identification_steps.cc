@@ -115,8 +115,8 @@ void Identification::find_bias(const OutputDirectory &directory,
   const bool theory = parameters.other_model == OtherModel::theory;
   const std::unique_ptr<ForwardModel> first = make_model(by_theory, directory, "bias", log),
                                       second = make_model(theory, directory, "other", log);
-  const auto &further = parameters.other_entries;
-  results.other_model = second->name() + (further.empty() ? "" : " with other entries");
+  const auto &other_entries = parameters.other_entries;
+  results.other_model = second->name() + (other_entries.empty() ? "" : " with other entries");
   log.note("Computing the other model for the bias: " + results.other_model);
   const auto predicted =
       [&](ForwardModel &model, const std::vector<std::pair<std::string, std::string>> &entries)
@@ -129,7 +129,7 @@ void Identification::find_bias(const OutputDirectory &directory,
     return prediction.values;
   };
   results.bias = model_bias(results.parameters, *results.fit, measured.records,
-                            predicted(*first, {}), predicted(*second, further));
+                            predicted(*first, {}), predicted(*second, other_entries));
 }
 
 std::vector<FitParameter>

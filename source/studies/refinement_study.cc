@@ -22,9 +22,9 @@ RefinementStudy::RefinementStudy(const AnalysisInput &input)
     of_runs.add(variants.back().quantities);
   }
   RefinementReport::name_quantities(parameters, of_runs, quantities);
-  of_runs.refuse_others(section(), "Quantities", parameters.quantities);
-  of_runs.refuse_others(section().subsection("Reference"), parameters.references);
-  quantities.refuse_others(file, section().subsection("Expected"), parameters.expected);
+  of_runs.refuse_unknown(section(), "Quantities", parameters.quantities);
+  of_runs.refuse_unknown(section().subsection("Reference"), parameters.references);
+  quantities.refuse_unknown(file, section().subsection("Expected"), parameters.expected);
 }
 
 void RefinementStudy::check(const Variant &variant) const

@@ -90,7 +90,7 @@ find_sought_entry(const ParameterFile &file, ParameterSection section, const Sou
   const NumericEntry &entry = result.entry;
   std::string probe;
   const std::string key = key_in_probe(entry.path_of_entry(), probe);
-  if (entry.is_whole())
+  if (entry.is_integer())
     section.refuse("Entry", "'" + entry.path() + "' is a whole number, which no fit can find",
                    "Give the path of a number with decimals");
   for (const char *const place :

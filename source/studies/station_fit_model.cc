@@ -10,12 +10,12 @@ StationFitModel::StationFitModel(ForwardModel &model,
                                  const std::vector<SoughtEntry> &sought,
                                  const StationRecords &records,
                                  const std::vector<std::string> &probes,
-                                 std::vector<std::pair<std::string, std::string>> further,
+                                 std::vector<std::pair<std::string, std::string>> other_entries,
                                  const MaterialTestModel *const tests)
     : model(model),
       sought(sought),
       records(records),
-      further(std::move(further)),
+      other_entries(std::move(other_entries)),
       tests(tests),
       clocks(probes.size(), none),
       times(probes.size())
@@ -62,7 +62,7 @@ StationFitModel::settings(const std::vector<double> &set) const
       entries.push_back(sought[i].entry);
       numbers.push_back(set[i]);
     }
-  std::vector<std::pair<std::string, std::string>> result = further;
+  std::vector<std::pair<std::string, std::string>> result = other_entries;
   const auto of_numbers = NumericEntry::settings(entries, numbers);
   result.insert(result.end(), of_numbers.begin(), of_numbers.end());
   return result;

@@ -60,7 +60,7 @@ Sweep::Sweep(const AnalysisInput &input) : Study(input, "Sweep")
   for (const unsigned int run : runs_to_read())
     read_run(run);
   name_quantities();
-  quantities.refuse_others(file, section().subsection("Expected"), parameters.expected);
+  quantities.refuse_unknown(file, section().subsection("Expected"), parameters.expected);
   set_parameters(parameters);
 }
 
@@ -236,7 +236,7 @@ void Sweep::name_quantities()
   QuantityNames of_any;
   for (const auto &[run, read] : read_runs)
     of_any.add(read.quantities);
-  of_any.refuse_others(section(), "Quantities", parameters.quantities);
+  of_any.refuse_unknown(section(), "Quantities", parameters.quantities);
   for (unsigned int run = 0; run < parameters.n_runs(); ++run)
   {
     const auto read = read_runs.find(run);

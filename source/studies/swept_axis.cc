@@ -28,7 +28,7 @@ std::string refusal(const std::string &path, const std::string &value)
 
 std::string remedy_of(const NumericEntry &entry)
 {
-  if (entry.is_whole())
+  if (entry.is_integer())
     return "Give whole numbers that the entry accepts";
   const std::string units = usual_units(entry.dimension());
   return "Give numbers that the entry accepts" +

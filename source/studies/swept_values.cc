@@ -123,11 +123,11 @@ std::optional<WrittenRange> written_range(const std::string &item)
   range.last = collapse_blanks(rest.substr(0, in));
   range.count = collapse_blanks(rest.substr(in + 4));
   const std::size_t blank = range.count.find(' ');
-  const std::string way = blank == std::string::npos ? "" : range.count.substr(blank + 1);
-  if (!way.empty() && way != "logarithmic" && way != "linear")
-    throw std::invalid_argument("'" + way + "' of the range '" + item +
+  const std::string spacing = blank == std::string::npos ? "" : range.count.substr(blank + 1);
+  if (!spacing.empty() && spacing != "logarithmic" && spacing != "linear")
+    throw std::invalid_argument("'" + spacing + "' of the range '" + item +
                                 "' is neither linear nor logarithmic");
-  range.is_logarithmic = way == "logarithmic";
+  range.is_logarithmic = spacing == "logarithmic";
   range.count = range.count.substr(0, blank);
   return range;
 }

@@ -76,7 +76,7 @@ double StreamWaves::long_wave_speed(const double distensibility,
   const double slowness_square = density * (distensibility + inverse_bulk_modulus);
   if (!(slowness_square > 0.))
     throw std::domain_error("an incompressible liquid in a rigid tube carries no wave");
-  const double at_rest = 1. / std::sqrt(slowness_square);
+  const double still = 1. / std::sqrt(slowness_square);
   const std::string too_fast = "the stream is so fast that no wave runs against it";
   if (stream.profile == StreamProfile::plug)
   {
@@ -89,8 +89,8 @@ double StreamWaves::long_wave_speed(const double distensibility,
   const auto residual = [&](const double speed)
   { return mean_inverse_square(speed) - slowness_square; };
   const bool is_with = direction == Direction::with_stream;
-  const double begin = is_with ? stream.largest_velocity() + nearest * at_rest : -nearest * at_rest;
-  const double end = (is_with ? stream.largest_velocity() : 0.) + (is_with ? 2. : -2.) * at_rest;
+  const double begin = is_with ? stream.largest_velocity() + nearest * still : -nearest * still;
+  const double end = (is_with ? stream.largest_velocity() : 0.) + (is_with ? 2. : -2.) * still;
   if (!(residual(begin) > 0.))
     throw std::domain_error(too_fast);
   std::uintmax_t n_iterations = 200;
@@ -194,15 +194,15 @@ Complex StreamWaves::wave_number(const double omega,
     return omega / plug_speed(distensibility, direction, wall);
   if (!(viscosity > 0.))
     throw std::invalid_argument("a liquid without viscosity slips along the wall");
-  const Womersley at_rest(radius, density, viscosity);
-  const double intervals = least_intervals + intervals_of_layer * std::sqrt(at_rest.number(omega));
+  const Womersley still(radius, density, viscosity);
+  const double intervals = least_intervals + intervals_of_layer * std::sqrt(still.number(omega));
   if (intervals > most_intervals)
     throw std::domain_error("the layer at the wall is too thin to be resolved");
   const Collocation collocation(static_cast<unsigned int>(intervals));
   const auto residual = [&](const Complex k)
   { return excess(collocation, omega, k, distensibility, wall); };
   // By secants, from the long wave that is slowed down as if the liquid were at rest.
-  Complex previous = omega / long_wave * std::sqrt(1. / at_rest.one_minus_f10(omega));
+  Complex previous = omega / long_wave * std::sqrt(1. / still.one_minus_f10(omega));
   Complex present = previous * 1.001;
   Complex residual_before = residual(previous);
   for (unsigned int iteration = 0; iteration < most_secants; ++iteration)

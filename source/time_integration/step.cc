@@ -20,7 +20,7 @@ BranchCoefficients Step::branch(const double relaxation_time) const
 {
   BranchCoefficients result;
   const bool relaxes = !std::isinf(relaxation_time);
-  if (is_towards_rest)
+  if (finds_steady_state)
   {
     // A branch that relaxes has done so.
     result.velocity = relaxes ? 0. : size();
@@ -84,7 +84,7 @@ Step static_step(const double size, const bool with_inertia)
   Step step = euler_step(0., size, Update::implicit);
   if (!with_inertia)
     step.a0 = step.a1 = 0.;
-  step.is_towards_rest = true;
+  step.finds_steady_state = true;
   return step;
 }
 
@@ -118,28 +118,28 @@ Step crank_nicolson_step(const double time_old, const double size, const double 
   return step;
 }
 
-Step step_like(const Step &whole, const double time_old, const double size, const double size_old)
+Step step_like(const Step &parent, const double time_old, const double size, const double size_old)
 {
   Step step;
-  if (whole.extrapolate)
+  if (parent.extrapolate)
     step = crank_nicolson_step(time_old, size, size_old);
-  else if (whole.a2 != 0.)
-    step = backward_differencing_step(time_old, size, size_old, whole.update);
+  else if (parent.a2 != 0.)
+    step = backward_differencing_step(time_old, size, size_old, parent.update);
   else
-    step = euler_step(time_old, size, whole.update);
-  step.is_start = whole.is_start;
-  step.load_factor = whole.load_factor;
+    step = euler_step(time_old, size, parent.update);
+  step.is_start = parent.is_start;
+  step.load_factor = parent.load_factor;
   return step;
 }
 
-std::array<Step, 2> halves_of(const Step &whole)
+std::array<Step, 2> halves_of(const Step &parent)
 {
-  const double half = 0.5 * whole.size();
-  std::array<Step, 2> halves = {{step_like(whole, whole.time_old, half, whole.older_distance),
-                                 step_like(whole, whole.time_old + half, half, half)}};
-  halves.back().time = whole.time;
-  if (!whole.extrapolate)
-    halves.back().balance_time = whole.balance_time;
+  const double half = 0.5 * parent.size();
+  std::array<Step, 2> halves = {{step_like(parent, parent.time_old, half, parent.older_distance),
+                                 step_like(parent, parent.time_old + half, half, half)}};
+  halves.back().time = parent.time;
+  if (!parent.extrapolate)
+    halves.back().balance_time = parent.balance_time;
   return halves;
 }
 } // namespace Continua

@@ -178,9 +178,9 @@ void Centreline::make_frames()
   for (const double position : sample_positions)
   {
     sample_points.push_back(derivatives(position).point);
-    const std::size_t i = ways_to_samples.size();
-    ways_to_samples.push_back(
-        i == 0 ? 0. : ways_to_samples.back() + sample_points[i].distance(sample_points[i - 1]));
+    const std::size_t i = arc_lengths.size();
+    arc_lengths.push_back(
+        i == 0 ? 0. : arc_lengths.back() + sample_points[i].distance(sample_points[i - 1]));
   }
 
   Tensor direction = tangent(0.);
@@ -265,9 +265,9 @@ double Centreline::nearest(const Point &place) const
       least = distance;
       sample = i;
     }
-    i = std::lower_bound(ways_to_samples.begin() + i + 1, ways_to_samples.end(),
-                         ways_to_samples[i] + distance - least) -
-        ways_to_samples.begin();
+    i = std::lower_bound(arc_lengths.begin() + i + 1, arc_lengths.end(),
+                         arc_lengths[i] + distance - least) -
+        arc_lengths.begin();
   }
   const auto ahead = [&](const double position)
   { return (place - point(position)) * tangent(position); };

@@ -60,7 +60,7 @@ UNIT_TEST(numeric_entry)
   check::absolute("value in a list", third.value(), 2e4, 0.);
   const NumericEntry cells = find("Mesh/Cells 2");
   check::is_true("whole number whose name ends with one",
-                 cells.is_whole() && cells.value() == 4. && cells.accepts(8.) &&
+                 cells.is_integer() && cells.value() == 4. && cells.accepts(8.) &&
                      !cells.accepts(2.5) && !cells.accepts(9.));
 
   const auto settings =

@@ -33,7 +33,7 @@ UNIT_TEST(quantity_names)
     ParameterFile file = parameters_of("subsection Expected\nset " + line + "\nend\n");
     const ParameterSection section = file.root().subsection("Expected");
     std::vector<ExpectedValue> expected = read_expected(section);
-    names.refuse_others(section, expected);
+    names.refuse_unknown(section, expected);
   };
   refuse("frequency = 1 Hz +- 1 %");
   refuse("wall: displacement y: frequency = 1 Hz +- 1 %");
@@ -53,9 +53,9 @@ UNIT_TEST(quantity_names)
   ParameterFile empty = parameters_of("");
   const ParameterSection section = empty.root();
   std::vector<std::string> there = {"frequency", "tip: frequency"}, missing = {"tip: mass"};
-  names.refuse_others(section, "Quantities", there);
+  names.refuse_unknown(section, "Quantities", there);
   check::throws<InputError>(
-      "asked for in a list", [&]() { names.refuse_others(section, "Quantities", missing); },
+      "asked for in a list", [&]() { names.refuse_unknown(section, "Quantities", missing); },
       "'tip: mass'");
 
   // A position in another unit than that of the name.
@@ -66,7 +66,7 @@ UNIT_TEST(quantity_names)
   std::vector<std::string> in_units = {"stations 43 mm: height", "stations 4.3cm: height",
                                        "stations 200 mm: flow rate: maximum",
                                        "harmonic at 500 mHz: modulus", "stations 7 mm: height"};
-  names.refuse_others(section, "Quantities", in_units);
+  names.refuse_unknown(section, "Quantities", in_units);
   std::string found;
   for (const std::string &name : in_units)
     found += name + "; ";
@@ -78,7 +78,7 @@ UNIT_TEST(quantity_names)
                                      "set stations 200 mm: flow rate: maximum = < 1\nend\n");
   const ParameterSection of_file = file.root().subsection("Expected");
   std::vector<ExpectedValue> expected = read_expected(of_file);
-  names.refuse_others(file, of_file, expected);
+  names.refuse_unknown(file, of_file, expected);
   check::equal("an expected position", expected.at(0).probe, "stations 0.043 m");
   check::equal("an expected position of a field", expected.at(1).probe,
                "stations 0.2 m: flow rate");

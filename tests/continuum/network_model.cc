@@ -232,7 +232,7 @@ void loop()
   check::absolute("a loop: what flows in flows out", largest_out / 1e-7, 1., 0.02);
 }
 
-void towards_rest_and_failures()
+void steady_search_and_failures()
 {
   Outlet outlet = outlet_of({"joint"}, vessel("tube", "joint", "end", "0.5 m"),
                             "subsection end\nset Type = closed\nend\n");
@@ -268,6 +268,6 @@ UNIT_TEST(network_model)
   tube_that_goes_on("crank nicolson", 0.25);
   short_vessel();
   loop();
-  towards_rest_and_failures();
+  steady_search_and_failures();
 }
 } // namespace test_of_network_model

@@ -49,16 +49,16 @@ void windkessel(const std::string &scheme)
                       : backward ? backward_differencing_step(t, h, h, Update::implicit)
                                  : euler_step(t, h, Update::implicit);
     const double old_flow = flow(t), balanced_flow = flow(step.balance_time);
-    double balanced = 0., next = 0.;
+    double at_level = 0., next = 0.;
     if (step.extrapolate)
     {
       next = (x * (1. - 0.5 * h * rate) + h * balanced_flow) / (1. + 0.5 * h * rate);
-      balanced = 0.5 * (x + next);
+      at_level = 0.5 * (x + next);
     }
     else if (backward)
-      balanced = next = (2. * x - 0.5 * older + h * balanced_flow) / (1.5 + h * rate);
+      at_level = next = (2. * x - 0.5 * older + h * balanced_flow) / (1.5 + h * rate);
     else
-      balanced = next = (x + h * balanced_flow) / (1. + h * rate);
+      at_level = next = (x + h * balanced_flow) / (1. + h * rate);
     older = x;
     x = next;
     const bool changed = model.linearise(step, &old_flow);
@@ -67,12 +67,12 @@ void windkessel(const std::string &scheme)
     const double pressure =
         model.predicted_pressures()[0] + model.impedance()(0, 0) * balanced_flow;
     law = std::max(
-        law, std::abs(pressure - (behind + proximal * balanced_flow + balanced / compliance)));
+        law, std::abs(pressure - (behind + proximal * balanced_flow + at_level / compliance)));
     model.advance(step, &balanced_flow);
     energy = std::max(energy, std::abs(model.energy() - 0.5 * x * x / compliance));
     // p Q = stored + lost in both resistances + given to what is behind.
     const double loss = proximal * balanced_flow * balanced_flow +
-                        balanced * balanced / (compliance * compliance * distal) +
+                        at_level * at_level / (compliance * compliance * distal) +
                         behind * balanced_flow;
     lost = std::max(lost, std::abs(pressure * balanced_flow - model.stored_power() - loss));
     const double present_flow = flow(t + h);
@@ -103,13 +103,13 @@ void steady()
       "the outlet 'artery' has no pressure that belongs to a steady flow");
 }
 
-/// On the way to rest a charge that is given stays, and comes with its part of the loads; without
-/// one it is that of the steady flow.
-void towards_rest()
+/// On the way to a steady state a charge that is given stays, and comes with its part of the loads;
+/// without one it is that of the steady flow.
+void steady_search()
 {
   Outlet outlet = make_windkessel();
   Step step = euler_step(0., h, Update::implicit);
-  step.is_towards_rest = true;
+  step.finds_steady_state = true;
   step.load_factor = 0.4;
   const double q = 0.3;
   const auto pressure_of = [&](OutletModel &model)
@@ -137,8 +137,8 @@ void towards_rest()
                   behind + (proximal + distal) * q, 1e-13);
 }
 
-/// An end that counts from the start holds its pressure on the way to rest, and answers to changes
-/// of the flow rate from then on.
+/// An end that counts from the start holds its pressure on the way to a steady state, and answers
+/// to changes of the flow rate from then on.
 void from_the_start()
 {
   Outlet outlet = make_windkessel();
@@ -146,7 +146,7 @@ void from_the_start()
   outlet.counts_from_start = true;
   OutletModel model(outlet);
   Step step = euler_step(0., h, Update::implicit);
-  step.is_towards_rest = true;
+  step.finds_steady_state = true;
   const double start = 0.7, q = 1.;
   model.linearise(step, &start);
   check::relative("from the start: pressure at rest", model.predicted_pressures()[0], behind,
@@ -154,7 +154,7 @@ void from_the_start()
   check::absolute("from the start: no impedance at rest", model.impedance()(0, 0), 0., 1e-15);
   model.advance(step, &start);
   model.start_from(&start);
-  step.is_towards_rest = false;
+  step.finds_steady_state = false;
   check::is_true("from the start: another impedance", model.linearise(step, &start));
   const double response = h / (1. + h / (distal * compliance)) / compliance;
   check::relative("from the start: pressure",
@@ -199,7 +199,7 @@ UNIT_TEST(outlet_model)
   for (const std::string scheme : {"euler", "backward differencing", "crank nicolson"})
     windkessel(scheme);
   steady();
-  towards_rest();
+  steady_search();
   from_the_start();
   two_ports();
   check::is_true("no jump", !OutletModel(make_windkessel()).jumps(0., 1.));

@@ -5,7 +5,7 @@
 
 #include <continua/continuum/vector_numbering.h>
 #include <continua/finite_element/space/space.h>
-#include <continua/finite_volume/cell_space.h>
+#include <continua/finite_volume/cell_wise_space.h>
 
 #include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
@@ -86,7 +86,7 @@ Places places_of_dofs(const DoFHandler<dim> &dofs, const hp::MappingCollection<d
 }
 
 template <int dim>
-Places places_of_values(const CellMesh<dim> &mesh,
+Places places_of_values(const CellWiseMesh<dim> &mesh,
                         const ValueSpace<dim> &space,
                         const unsigned int n_components,
                         const bool common)
@@ -142,7 +142,7 @@ struct Discretised
 
   std::unique_ptr<parallel::TriangulationBase<dim>> mesh;
   Space<dim> space;
-  CellSpace<dim> cells;
+  CellWiseSpace<dim> cells;
 };
 
 /// One that tells where it comes from.

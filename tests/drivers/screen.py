@@ -2,7 +2,7 @@
 """Compares what a program prints with a reference: screen.py [--ranks N] --numdiff FILE REFERENCE FOLDER COMMAND...
 
 The command runs in FOLDER, which is emptied first. Its standard output is compared with the file REFERENCE by numdiff,
-which takes numbers as equal that agree to 1e-6 absolutely or to 1e-8 relatively. Of a search for a state at rest the steps
+which takes numbers as equal that agree to 1e-6 absolutely or to 1e-8 relatively. Of a search for a steady state the steps
 and the corrections may be a quarter more or less, or two, since round-off decides which one is the last; how far its time
 steps have grown is not compared. Of a fit whose parameters trade off the limits of the intervals are compared to two digits: they change in the fourth one
 with the round-off of another processor. Standard error is not compared, since libraries write there what depends on the machine; it is shown
@@ -24,7 +24,7 @@ FREEDOM, LEAST_FREEDOM = 0.25, 2
 
 
 def without_counts(text):
-    """(the text with a word for what round-off decides in a search for a state at rest, the steps and corrections of each search)."""
+    """(the text with a word for what round-off decides in a search for a steady state, the steps and corrections of each search)."""
     counts = [int(count) for search in SEARCH.finditer(text) for count in (search[2], search[5] or 0)]
     return SEARCH.sub(r"\1 after some steps with some corrections", text), counts
 

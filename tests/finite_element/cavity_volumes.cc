@@ -109,18 +109,19 @@ void check_volume(const std::string &name,
 
   const auto volume_at = [&](const Motion<dim> &motion)
   { return cavities.volumes(small_problem::interpolated<dim>(space, motion)).at(0); };
-  const double at_rest = volume_at([](const Point<dim> &) { return Tensor<1, dim>(); });
-  check::relative(name + ": at rest", at_rest, volume, dim == 2 ? 1e-4 : 5e-3);
+  const double undeformed = volume_at([](const Point<dim> &) { return Tensor<1, dim>(); });
+  check::relative(name + ": at rest", undeformed, volume, dim == 2 ? 1e-4 : 5e-3);
   // In axisymmetry the radial stretch counts for the circumference, too.
   const double of_stretch = model == Model::axisymmetric ? 1.3 * 0.9 * 0.9
                             : dim == 2                   ? 1.3 * 0.9
                                                          : 1.3 * 0.9 * 0.5;
   if (!hangs)
-    check::relative(name + ": stretched", volume_at(stretch<dim>()) / at_rest, of_stretch, 1e-12);
+    check::relative(name + ": stretched", volume_at(stretch<dim>()) / undeformed, of_stretch,
+                    1e-12);
   if (is_whole && !hangs)
     check::relative(name + ": moved",
                     volume_at([](const Point<dim> &) { return 3. * Point<dim>::unit_vector(1); }),
-                    at_rest, 1e-12);
+                    undeformed, 1e-12);
 
   const DistributedVector displacement = small_problem::interpolated<dim>(
                               space,
@@ -145,7 +146,7 @@ void check_volume(const std::string &name,
   // As a load of the equations.
   DeformationTerms<dim> terms(space, problem);
   terms.reinit();
-  BalancedStep state;
+  StepSolution state;
   state.step = euler_step(0., 0.3, Update::implicit);
   for (DistributedVector *const vector : {&state.velocity, &state.acceleration})
     *vector = space.velocity_vector();

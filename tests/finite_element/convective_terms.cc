@@ -52,7 +52,7 @@ void add_open_end(Problem &problem)
 /// The rows of momentum and of the negative of volume, one after the other.
 template <int dim>
 std::vector<double>
-rows_of(const Space<dim> &space, ConvectiveTerms<dim> &terms, const BalancedStep &state)
+rows_of(const Space<dim> &space, ConvectiveTerms<dim> &terms, const StepSolution &state)
 {
   DistributedVector momentum = space.velocity_vector(), volume = space.pressure_vector();
   terms.add(state, momentum, volume);
@@ -64,10 +64,10 @@ rows_of(const Space<dim> &space, ConvectiveTerms<dim> &terms, const BalancedStep
 
 /// state + factor times a change, with the rates that follow.
 template <int dim>
-BalancedStep
-changed(const BalancedStep &state, const std::vector<double> &change, const double factor)
+StepSolution
+changed(const StepSolution &state, const std::vector<double> &change, const double factor)
 {
-  BalancedStep result = state;
+  StepSolution result = state;
   const unsigned int n_velocity = state.velocity.locally_owned_size();
   for (unsigned int i = 0; i < n_velocity; ++i)
   {
@@ -103,7 +103,7 @@ void check_derivative(const std::string &name,
   add_open_end(problem);
   ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
-  const BalancedStep state = make_state(space);
+  const StepSolution state = make_state(space);
   // Any change, nothing at hanging nodes.
   DistributedVector velocity = small_problem::interpolated<dim>(
       space,
@@ -169,7 +169,7 @@ double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term
   problem.convection.stabilisation = ConvectionStabilisation::none;
   ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
-  BalancedStep state = make_state(space);
+  StepSolution state = make_state(space);
   state.velocity = enclosed_flow(space);
   return powers_of(terms, state, state.velocity).convection;
 }
@@ -177,7 +177,7 @@ double power_of_enclosed_flow(const Space<dim> &space, const ConvectiveTerm term
 /// The rate of the kinetic energy in an enclosed flow, by differences along the rates of the state.
 template <int dim>
 double
-rate_of_kinetic_energy(const Space<dim> &space, const Problem &problem, const BalancedStep &state)
+rate_of_kinetic_energy(const Space<dim> &space, const Problem &problem, const StepSolution &state)
 {
   ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
@@ -247,7 +247,7 @@ UNIT_TEST(convective_terms)
   // of the kinetic energy: exact for the exponent 1, whose density is a polynomial.
   {
     Problem gas = make_problem(Model::plane_strain, 0.05, 1.);
-    BalancedStep moving = make_state(square_space);
+    StepSolution moving = make_state(square_space);
     moving.velocity = enclosed_flow(square_space);
     ConvectiveTerms<2> terms(square_space, gas, std::nullopt);
     terms.reinit();
@@ -266,7 +266,7 @@ UNIT_TEST(convective_terms)
   // 3, U . grad p = 3 r.
   {
     Problem ring = make_problem(Model::axisymmetric, 0., 0.);
-    BalancedStep moving = make_state(round_space);
+    StepSolution moving = make_state(round_space);
     moving.acceleration = 0.;
     moving.pressure_rate = 0.;
     moving.velocity = small_problem::interpolated<2>(round_space,
@@ -291,7 +291,7 @@ UNIT_TEST(convective_terms)
     // Its factor by itself, 0.15 times density, the speed 2 m/s of this flow and the side of a
     // cell, 1 m.
     ring.convection.stabilisation_viscosity = 0.;
-    BalancedStep outward = moving;
+    StepSolution outward = moving;
     outward.velocity = small_problem::interpolated<2>(round_space,
                                                       [](const Point<2> &) {
                                                         return Tensor<1, 2>({0., 2.});
@@ -344,7 +344,7 @@ UNIT_TEST(convective_terms)
       Problem thinning = make_problem(model, 0., 0.);
       thinning.materials[0].shear.viscosity = 2.;
       thinning.materials[0].shear.flow_curve = curve;
-      BalancedStep moving = make_state(of_space);
+      StepSolution moving = make_state(of_space);
       moving.velocity = small_problem::interpolated<2>(of_space, [&](const Point<2> &x)
                                                        { return gradient * Tensor<1, 2>(x); });
       ConvectiveTerms<2> terms(of_space, thinning, std::nullopt);
@@ -365,7 +365,7 @@ UNIT_TEST(convective_terms)
   {
     Problem open = make_problem(Model::plane_strain, 0., 0.);
     add_open_end(open);
-    BalancedStep moving = make_state(square_space);
+    StepSolution moving = make_state(square_space);
     moving.velocity = small_problem::interpolated<2>(square_space,
                                                      [](const Point<2> &x) {
                                                        return Tensor<1, 2>({1. + x[0], 1.});
@@ -387,7 +387,7 @@ UNIT_TEST(convective_terms)
   problem.materials[0].reference_pressure = 0.;
   problem.convection.stabilisation = ConvectionStabilisation::none;
   problem.convection.term = ConvectiveTerm::advective;
-  BalancedStep state = make_state(square_space);
+  StepSolution state = make_state(square_space);
   state.velocity = small_problem::interpolated<2>(square_space,
                                                   [](const Point<2> &x) {
                                                     return Tensor<1, 2>({x[0], 0.});

@@ -102,7 +102,7 @@ double displacement_by_velocity(const Step &step)
 
 /// A state without any symmetry.
 template <int dim>
-BalancedStep make_state(const Space<dim> &space, const Step &step)
+StepSolution make_state(const Space<dim> &space, const Step &step)
 {
   const auto vector = [&](const double size, const double phase)
   {
@@ -120,7 +120,7 @@ BalancedStep make_state(const Space<dim> &space, const Step &step)
     return small_problem::interpolated_pressure<dim>(
         space, [phase](const Point<dim> &x, unsigned int) { return wave(x, phase); });
   };
-  BalancedStep state;
+  StepSolution state;
   state.step = step;
   state.velocity = vector(1., 0.);
   state.displacement = vector(0.12, 1.);
@@ -134,7 +134,7 @@ BalancedStep make_state(const Space<dim> &space, const Step &step)
 /// The rows of momentum and of the negative of volume, one after the other.
 template <int dim>
 std::vector<double>
-rows_of(const Space<dim> &space, DeformationTerms<dim> &terms, const BalancedStep &state)
+rows_of(const Space<dim> &space, DeformationTerms<dim> &terms, const StepSolution &state)
 {
   DistributedVector momentum = space.velocity_vector(), volume = space.pressure_vector();
   terms.add(state, momentum, volume);
@@ -168,7 +168,7 @@ void set_history(const Space<dim> &space,
                  DeformationTerms<dim> &terms,
                  const Step &step)
 {
-  BalancedStep state = make_state(space, step);
+  StepSolution state = make_state(space, step);
   state.displacement *= 0.3;
   terms.start_from(state.displacement);
   metrics.predict(step);
@@ -181,10 +181,10 @@ void set_history(const Space<dim> &space,
 }
 
 /// state + factor times a change, with what follows from it.
-BalancedStep
-changed(const BalancedStep &state, const std::vector<double> &change, const double factor)
+StepSolution
+changed(const StepSolution &state, const std::vector<double> &change, const double factor)
 {
-  BalancedStep result = state;
+  StepSolution result = state;
   const unsigned int n_velocity = state.velocity.locally_owned_size();
   for (unsigned int i = 0; i < n_velocity; ++i)
   {
@@ -225,7 +225,7 @@ void check_derivative(const std::string &name,
   terms.reinit();
   if (relaxes)
     set_history(space, problem, *metrics, terms, step);
-  const BalancedStep state = make_state(space, step);
+  const StepSolution state = make_state(space, step);
   // Any change, nothing at hanging nodes.
   const DistributedVector velocity = small_problem::interpolated<dim>(
       space,
@@ -348,7 +348,7 @@ UNIT_TEST(deformation_terms)
     rotation[0][0] = rotation[1][1] = std::cos(1.2);
     rotation[1][0] = std::sin(1.2);
     rotation[0][1] = -rotation[1][0];
-    BalancedStep state = make_state(space, implicit);
+    StepSolution state = make_state(space, implicit);
     for (DistributedVector *vector : {&state.velocity, &state.acceleration, &state.pressure})
       *vector = 0.;
     state.displacement = homogeneous<2>(space, rotation);
@@ -386,7 +386,7 @@ UNIT_TEST(deformation_terms)
     Tensor<2, 2> stretch;
     stretch[0][0] = 1.5;
     stretch[1][1] = 0.8;
-    BalancedStep state = make_state(space, implicit);
+    StepSolution state = make_state(space, implicit);
     state.velocity = 0.;
     state.displacement = homogeneous<2>(space, stretch);
     state.pressure = constant(space, 0.9);
@@ -422,7 +422,7 @@ UNIT_TEST(deformation_terms)
     problem.materials[0].prestretch.axial = 1.3;
     DeformationTerms<3> terms(solid_space, problem);
     terms.reinit();
-    BalancedStep state = make_state(solid_space, implicit);
+    StepSolution state = make_state(solid_space, implicit);
     for (DistributedVector *vector : {&state.velocity, &state.acceleration, &state.pressure})
       *vector = 0.;
     Tensor<2, 3> shortened(unit_symmetric_tensor<3>());
@@ -485,7 +485,7 @@ UNIT_TEST(deformation_terms)
         set_history(round_space, problem, *metrics, terms, implicit);
         metrics->predict(euler_step(0., 1e-300, Update::implicit));
       }
-      const BalancedStep state = make_state(round_space, implicit);
+      const StepSolution state = make_state(round_space, implicit);
       BranchHistory history(problem.materials, problem.deformation);
       history.reinit(state.velocity, {{}});
       const double h = 1e-5;
@@ -510,7 +510,7 @@ UNIT_TEST(deformation_terms)
     const auto metrics = make_metrics(space, problem);
     DeformationTerms<2> terms(space, problem, metrics.get());
     terms.reinit();
-    BalancedStep state = make_state(space, implicit);
+    StepSolution state = make_state(space, implicit);
     state.displacement = 0.;
     terms.start_from(state.displacement);
     BranchHistory history(problem.materials, problem.deformation);

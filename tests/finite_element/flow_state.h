@@ -5,7 +5,7 @@
 
 #include "small_problem.h"
 
-#include <continua/continuum/balanced_step.h>
+#include <continua/continuum/step_solution.h>
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ double wave(const Point<dim> &x, const double phase)
 
 /// A state without any symmetry.
 template <int dim>
-BalancedStep make_state(const Space<dim> &space)
+StepSolution make_state(const Space<dim> &space)
 {
   const auto vector = [&](const double phase)
   {
@@ -43,7 +43,7 @@ BalancedStep make_state(const Space<dim> &space)
     return small_problem::interpolated_pressure<dim>(
         space, [phase](const Point<dim> &x, unsigned int) { return wave(x, phase); });
   };
-  BalancedStep state;
+  StepSolution state;
   state.step = backward_differencing_step(0., 0.1, 0.1, Update::implicit);
   state.velocity = vector(0.);
   state.acceleration = vector(1.);

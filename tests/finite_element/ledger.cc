@@ -123,17 +123,17 @@ void test(const Model model, const bool walls_move)
                                             });
   };
   history.displacement() = field(stretch);
-  BalancedStep balanced;
-  balanced.step = euler_step(0., 0.1, Update::implicit);
-  balanced.velocity = field(rate);
-  balanced.pressure = small_problem::interpolated_pressure<dim>(
+  StepSolution solution;
+  solution.step = euler_step(0., 0.1, Update::implicit);
+  solution.velocity = field(rate);
+  solution.pressure = small_problem::interpolated_pressure<dim>(
       space, [](const Point<dim> &, const unsigned int) { return pressure_value; });
-  balanced.acceleration = uniform(acceleration);
-  balanced.prescribed = space.velocity_vector();
-  body.prescribed().prescribed_part(balanced.velocity, balanced.prescribed);
-  history.advance(balanced.step, balanced.velocity, balanced.velocity);
+  solution.acceleration = uniform(acceleration);
+  solution.prescribed = space.velocity_vector();
+  body.prescribed().prescribed_part(solution.velocity, solution.prescribed);
+  history.advance(solution.step, solution.velocity, solution.velocity);
   const PowerBalance balance =
-      ledger.balance({balanced, balanced.velocity, balanced.velocity}, true);
+      ledger.balance({solution, solution.velocity, solution.velocity}, true);
 
   Slopes elastic, relaxing;
   for (unsigned int c = 0; c < 3; ++c)
@@ -171,7 +171,7 @@ void test(const Model model, const bool walls_move)
   const DistributedVector moving = uniform(2.);
   const auto check_energy = [&](const std::string &of_ledger, Ledger &its)
   {
-    const Energy energy = its.energy(State{moving, balanced.pressure, history});
+    const Energy energy = its.energy(State{moving, solution.pressure, history});
     check::relative(of_ledger + "kinetic energy", energy.of_term(0), 0.5 * density * 4. * 2. * half,
                     1e-12);
     check::relative(

@@ -28,7 +28,7 @@ template <int dim>
 Rows product_of(const Space<dim> &space,
                 const Problem &problem,
                 const std::optional<InstructionSet> instruction_set,
-                const BalancedStep &state)
+                const StepSolution &state)
 {
   ConvectiveTerms<dim> terms(space, problem, instruction_set);
   terms.reinit();
@@ -37,7 +37,7 @@ Rows product_of(const Space<dim> &space,
   if (instruction_set)
   {
     // What was kept before, of another state and step, must leave nothing behind.
-    BalancedStep other = state;
+    StepSolution other = state;
     other.step = euler_step(0., 0.02, Update::implicit);
     other.velocity *= 3.;
     other.pressure *= 0.5;
@@ -68,7 +68,7 @@ template <int dim>
 void compare(const std::string &name,
              const Space<dim> &space,
              const Problem &problem,
-             const BalancedStep &state)
+             const StepSolution &state)
 {
   const Rows expected = product_of(space, problem, std::nullopt, state);
   const double of_momentum = expected.momentum.linfty_norm(),
@@ -120,7 +120,7 @@ void check_products(const std::string &name, const Model model)
   problem.materials[2].shear.branches = {{1., 1.}};
   problem.convection.is_on = true;
   problem.convection.stabilisation_viscosity = 0.7;
-  const BalancedStep state = make_state(space);
+  const StepSolution state = make_state(space);
   compare(name + ", skew", space, problem, state);
 
   // Grad-div follows the speed, and an end is open.
@@ -138,7 +138,7 @@ void check_products(const std::string &name, const Model model)
   compare(name + ", incompressible", space, problem, state);
 
   // At rest the speed has no derivative.
-  BalancedStep at_rest = state;
+  StepSolution at_rest = state;
   at_rest.velocity = 0.;
   problem.materials[0].compression = Compression::elastic(0.05);
   problem.convection.term = ConvectiveTerm::skew;
@@ -146,7 +146,7 @@ void check_products(const std::string &name, const Model model)
 
   // A mesh that is bent, widened and moves; without convection its own motion carries.
   problem.mesh_moves = true;
-  BalancedStep moved = state;
+  StepSolution moved = state;
   moved.mesh_displacement = small_problem::interpolated<dim>(
       space, [](const Point<dim> &x)
       { return 0.05 * wave(x, 3.) * Point<dim>::unit_vector(0) + 0.1 * x; });

@@ -275,7 +275,7 @@ void check_volumetric_of_cells(const std::string &name, const Model model)
       const Point<dim> centre = cell->center();
       double &here = lambda[cell->active_cell_index()];
       here = 2. + std::sin(10. * centre[0] + 30. * centre[1] + 50. * centre[dim - 1]);
-      work += here * cell->measure() * space.measure(centre) * divergence * divergence;
+      work += here * cell->measure() * space.circumference(centre) * divergence * divergence;
     }
   work = Utilities::MPI::sum(work, MPI_COMM_WORLD);
   double distance = 0.;

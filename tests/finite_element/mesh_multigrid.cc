@@ -101,15 +101,15 @@ struct Setting
   /// Bends the body; in axisymmetry the axis stays.
   DistributedVector bent(const double size) const
   {
-    return small_problem::interpolated<dim>(space,
-                                            [size](const Point<dim> &x)
-                                            {
-                                              Tensor<1, dim> way;
-                                              for (unsigned int c = 0; c < dim; ++c)
-                                                way[c] = size * x[dim - 1] *
-                                                         std::sin(2. + 3. * x[0] + 2. * x[1] + c);
-                                              return way;
-                                            });
+    return small_problem::interpolated<dim>(
+        space,
+        [size](const Point<dim> &x)
+        {
+          Tensor<1, dim> displacement;
+          for (unsigned int c = 0; c < dim; ++c)
+            displacement[c] = size * x[dim - 1] * std::sin(2. + 3. * x[0] + 2. * x[1] + c);
+          return displacement;
+        });
   }
   /// int k dv, with the circumference in axisymmetry.
   double integral_of_k() const
@@ -124,7 +124,7 @@ struct Setting
         values.reinit(cell);
         for (const unsigned int q : values.quadrature_point_indices())
           result += k[cell->active_cell_index()] * values.JxW(q) *
-                    space.measure(values.quadrature_point(q));
+                    space.circumference(values.quadrature_point(q));
       }
     return Utilities::MPI::sum(result, MPI_COMM_WORLD);
   }

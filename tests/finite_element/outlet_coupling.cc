@@ -144,12 +144,12 @@ struct Tube
       velocity *= 2.;
       velocity.add(-1., old);
     }
-    balanced = new_velocity;
+    at_level = new_velocity;
     pressure = new_pressure;
 
     // A U + G P - f + q p, at every node; B U + C P.
     DistributedVector residual = space.velocity_vector();
-    body->system().add_velocity_product(balanced, residual);
+    body->system().add_velocity_product(at_level, residual);
     DistributedVector product = space.velocity_vector();
     body->products().multiply_gradient(0, product, pressure);
     residual.add(1., product);
@@ -184,7 +184,7 @@ struct Tube
     constraints.build();
     constraints.restrict_to_free(residual);
     DistributedVector mass_residual = space.pressure_vector(), compressed = mass_residual;
-    body->system().add_divergence(balanced, mass_residual);
+    body->system().add_divergence(at_level, mass_residual);
     body->products().multiply_pressure_mass(0, compressed, pressure);
     mass_residual.add(liquid.inverse_bulk_modulus() / step.pressure_time, compressed);
     return {(residual.linfty_norm() + mass_residual.linfty_norm()) / scale, virtual_power};
@@ -197,7 +197,7 @@ struct Tube
   std::unique_ptr<Loads<2>> loads;
   std::unique_ptr<TaylorHood<2>> body;
   std::unique_ptr<OutletCoupling> coupling;
-  DistributedVector velocity, pressure, balanced;
+  DistributedVector velocity, pressure, at_level;
 };
 
 /// x of the windkessel by the formulas of each scheme, as a person would write them.
@@ -208,20 +208,20 @@ struct Compliance
   double step(const Step &step, const bool backward_differencing, const double flow)
   {
     const double h = step.size();
-    double balanced = 0., next = 0.;
+    double at_level = 0., next = 0.;
     if (step.extrapolate)
     {
       // (x_new - x)/h = Q - rate (x_new + x)/2
       next = (x * (1. - 0.5 * h * rate) + h * flow) / (1. + 0.5 * h * rate);
-      balanced = 0.5 * (x + next);
+      at_level = 0.5 * (x + next);
     }
     else if (backward_differencing)
-      balanced = next = (2. * x - 0.5 * older + h * flow) / (1.5 + h * rate);
+      at_level = next = (2. * x - 0.5 * older + h * flow) / (1.5 + h * rate);
     else
-      balanced = next = (x + h * flow) / (1. + h * rate);
+      at_level = next = (x + h * flow) / (1. + h * rate);
     older = x;
     x = next;
-    return balanced;
+    return at_level;
   }
 };
 
@@ -251,7 +251,7 @@ void windkessel_by_scheme(const std::string &scheme, const std::string &coupling
                                      : euler_step(t, h, Update::implicit);
     const double energy_before = tube.coupling->energy();
     take_larger(residuals, tube.advance(step));
-    const double flow = tube.flow(1, tube.balanced);
+    const double flow = tube.flow(1, tube.at_level);
     largest_flow = std::max(largest_flow, std::abs(flow));
     flow_error = std::max(flow_error, std::abs(flow - tube.coupling->flow_rate(0, 0)));
     const double x = store.step(step, second_order, flow);
@@ -319,7 +319,7 @@ void two_outlets()
   {
     const Step step = crank_nicolson_step(0.1 * i, 0.1);
     take_larger(residuals, tube.advance(step));
-    const double left = tube.flow(0, tube.balanced), right = tube.flow(1, tube.balanced);
+    const double left = tube.flow(0, tube.at_level), right = tube.flow(1, tube.at_level);
     law = std::max(law, std::abs(tube.coupling->pressure(0, 0) - resistance * left -
                                  5. * std::cos(step.balance_time)));
     law = std::max(law, std::abs(tube.coupling->pressure(1, 0) - 1.5 - proximal * right -
@@ -361,7 +361,7 @@ void two_ports()
   {
     const Step step = crank_nicolson_step(0.1 * i, 0.1);
     take_larger(residuals, tube.advance(step));
-    const double left = tube.flow(0, tube.balanced), right = tube.flow(1, tube.balanced);
+    const double left = tube.flow(0, tube.at_level), right = tube.flow(1, tube.at_level);
     const double x = left + first.step(step, false, left);
     const double y = right + second.step(step, false, right);
     law = std::max(law, std::abs(tube.coupling->pressure(0, 0) - 20. - 5. * x - 2. * y));

@@ -1,8 +1,8 @@
 #ifndef tests_finite_element_powers_of_terms_h
 #define tests_finite_element_powers_of_terms_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace Continua
 /// The powers of the terms of a region with a velocity, of one rank.
 template <typename Terms>
 NonlinearPowers powers_of(Terms &terms,
-                          const BalancedStep &state,
+                          const StepSolution &state,
                           const DistributedVector &velocity,
                           const unsigned int region = 0,
                           const TermsTaken taken = TermsTaken::all)
@@ -24,7 +24,7 @@ NonlinearPowers powers_of(Terms &terms,
 
 /// Their forces [N].
 template <typename Terms>
-DistributedVector forces_of(Terms &terms, const BalancedStep &state, const unsigned int region = 0)
+DistributedVector forces_of(Terms &terms, const StepSolution &state, const unsigned int region = 0)
 {
   DistributedVector forces;
   forces.reinit(state.velocity);
@@ -44,7 +44,7 @@ inline double sum_of(const NonlinearPowers &powers)
 template <typename Terms>
 void check_powers(const std::string &name,
                   Terms &terms,
-                  const BalancedStep &state,
+                  const StepSolution &state,
                   const DistributedVector &velocity)
 {
   const DistributedVector forces = forces_of(terms, state);

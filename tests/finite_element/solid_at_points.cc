@@ -66,7 +66,7 @@ struct Cell
 
   Field velocity, displacement, acceleration, pressure, pressure_rate, of_powers;
   std::vector<CellPoint<dim>> geometry;
-  std::vector<RestState> rest;
+  std::vector<StressFreeState> stress_free;
   std::vector<SymmetricTensor<2, 3>> branches;
   SolidAtPoints<dim> solid;
 
@@ -115,12 +115,12 @@ struct Cell
     solid.branches = branches.data();
   }
   /// Two families of fibres and a prestretch at each point.
-  void rest_otherwise()
+  void relieve()
   {
     const std::vector<double> any = numbers(10 * solid.n_points, 4.2);
     auto next = any.begin();
-    rest.resize(solid.n_points);
-    for (RestState &state : rest)
+    stress_free.resize(solid.n_points);
+    for (StressFreeState &state : stress_free)
     {
       const double angle = *next++;
       state.fibres = {Tensor<1, 3>({std::cos(angle), std::sin(angle), 0.}),
@@ -131,7 +131,7 @@ struct Cell
           state.prestretch[i][j] += 0.1 * *next++;
       state.volume_ratio = 1. / determinant(state.prestretch);
     }
-    solid.rest = rest.data();
+    solid.stress_free = stress_free.data();
   }
 
   Tensor<2, 3> space_gradient(const Field &field, const unsigned int q) const
@@ -151,14 +151,14 @@ struct Cell
     result.pressure = pressure.at(0, 0, q);
     result.pressure_rate = pressure_rate.at(0, 0, q);
     PointStrain strain = {result.kinematics.deformation_gradient(), result.volume_ratio()};
-    if (solid.rest != nullptr)
+    if (solid.stress_free != nullptr)
     {
-      result.rest_ratio = rest[q].volume_ratio;
-      strain.gradient = strain.gradient * rest[q].prestretch;
-      strain.determinant /= rest[q].volume_ratio;
-      strain.fibres = rest[q].fibres;
+      result.stress_free_ratio = stress_free[q].volume_ratio;
+      strain.gradient = strain.gradient * stress_free[q].prestretch;
+      strain.determinant /= stress_free[q].volume_ratio;
+      strain.fibres = stress_free[q].fibres;
     }
-    result.mass_ratio = solid.has_mass_of_mesh ? 1. : result.rest_ratio;
+    result.mass_ratio = solid.has_mass_of_mesh ? 1. : result.stress_free_ratio;
     solid.law->set_tangent(strain, result.stress, result.tangent);
     if (solid.law->has_own_mean_stress())
       solid.law->set_mean_stress(strain, result.mean_stress, result.mean_stress_slope);
@@ -170,8 +170,8 @@ struct Cell
       result.stress += stress;
       result.tangent += tangent;
     }
-    result.stress *= result.rest_ratio;
-    result.tangent *= result.rest_ratio;
+    result.stress *= result.stress_free_ratio;
+    result.tangent *= result.stress_free_ratio;
     return result;
   }
 };
@@ -265,7 +265,7 @@ Result<dim> expected_of(const Cell<dim> &cell, const TermsTaken *const taken)
   {
     const CellPoint<dim> &geometry = cell.geometry[q];
     const SolidPoint<dim> point = cell.point(q);
-    result.extremes.add({std::min(point.volume_ratio(), point.rest_ratio),
+    result.extremes.add({std::min(point.volume_ratio(), point.stress_free_ratio),
                          point.stress.norm() + std::abs(point.volume_ratio() * point.pressure)});
     Tested<dim> sum;
     if (taken == nullptr)
@@ -357,7 +357,7 @@ void check_laws(const std::string &name)
   compare(name + ", its powers", relaxing, &all);
   const HolzapfelGasserOgden holzapfel(1.3, 0.8, 0.5, 0.1);
   Cell<dim> artery(holzapfel, 9, false);
-  artery.rest_otherwise();
+  artery.relieve();
   artery.relax();
   compare(name + ", fibres and prestretch", artery);
   artery.solid.has_mass_of_mesh = true;

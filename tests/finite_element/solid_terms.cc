@@ -2,7 +2,7 @@
 // laws with and without a mean stress of their own, at the end of a step, in its middle and where
 // the unloaded shape is looked for; the power of the stress against the energy of the law.
 
-#include <continua/continuum/rest_state.h>
+#include <continua/continuum/stress_free_state.h>
 #include <continua/finite_element/terms/solid_terms.h>
 #include <continua/materials/mooney_rivlin.h>
 #include <continua/materials/saint_venant_kirchhoff.h>
@@ -88,11 +88,11 @@ SolidPoint<dim> point_of(const Solid<dim> &solid)
   point.pressure = solid.pressure;
   point.pressure_rate = 0.2 + solid.scheme.pressure_rate_by_pressure * solid.pressure;
   if (solid.unloads)
-    point.rest_ratio = determinant(unit_tensor() - gradient);
+    point.stress_free_ratio = determinant(unit_tensor() - gradient);
   const PointStrain strain = strain_of(solid);
   solid.law->set_tangent(strain, point.stress, point.tangent);
-  point.stress *= point.rest_ratio;
-  point.tangent *= point.rest_ratio;
+  point.stress *= point.stress_free_ratio;
+  point.tangent *= point.stress_free_ratio;
   if (solid.law->has_own_mean_stress())
     solid.law->set_mean_stress(strain, point.mean_stress, point.mean_stress_slope);
   return point;

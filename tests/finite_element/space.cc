@@ -126,9 +126,9 @@ UNIT_TEST(space)
   check::is_true("continuous: fewer dofs",
                  continuous.pressure_dofs.n_dofs() < space.pressure_dofs.n_dofs() &&
                      continuous.pressure_component(1) == 0);
-  check::absolute("measure", space.measure(Point<2>(1., 3.)), 1., 0.);
+  check::absolute("measure", space.circumference(Point<2>(1., 3.)), 1., 0.);
   const Space<2> tube(mesh, SpaceParameters(), Model::axisymmetric, 2);
-  check::relative("measure in axisymmetry", tube.measure(Point<2>(1., 3.)), 6. * numbers::PI,
+  check::relative("measure in axisymmetry", tube.circumference(Point<2>(1., 3.)), 6. * numbers::PI,
                   1e-14);
 }
 } // namespace test_of_space

@@ -67,12 +67,12 @@ UNIT_TEST(stalled_block)
          "fluid block stalls: use Linear solver/Type = direct");
 
   // Of a correction of Newton's iteration: what the linear terms ask for does not help.
-  factors.further_terms = FurtherTerms::convection;
+  factors.tangent_terms = TangentTerms::convection;
   parameters.schur_complement = SchurApproximation::cahouet_chabard;
   expect("fluid with convection", factors, parameters,
          "fluid block stalls: use a smaller time step, or Linear solver/Type = direct$");
   factors = good();
-  factors.further_terms = FurtherTerms::convection;
+  factors.tangent_terms = TangentTerms::convection;
   expect("all is good with convection", factors, parameters,
          "No block stalls: use more Linear solver/Maximum iterations, or a smaller time step$");
   factors.of_all = 0.9;
@@ -84,7 +84,7 @@ UNIT_TEST(stalled_block)
   factors.of_stiff = 0.85;
   expect("stiff block beside convection", factors, parameters,
          "Stiff block = direct, a smaller time step, or Type = direct$");
-  factors.further_terms = FurtherTerms::finite_deformation;
+  factors.tangent_terms = TangentTerms::finite_deformation;
   expect("stiff block in finite deformation", factors, parameters,
          "the stiff block alone 0.85.*So the stiff block stalls: its preconditioner is that of "
          "small strains.*Use a smaller time step, or Linear solver/Type = direct$");

@@ -55,7 +55,7 @@ double power(const Space<dim> &space,
   { return [&](const Point<dim> &x) { return field(place(x)); }; };
   ConvectiveTerms<dim> terms(space, problem, std::nullopt);
   terms.reinit();
-  BalancedStep state;
+  StepSolution state;
   state.step = euler_step(0., 0.1, Update::implicit);
   state.step.load_factor = load_factor;
   state.velocity = small_problem::interpolated<dim>(space, at_place(velocity));

@@ -3,7 +3,7 @@
 
 #include <continua/finite_volume/cell_wise.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -11,7 +11,7 @@ namespace test_of_cell_wise
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 constexpr double h = 0.2;
 
 /// p = p_plus - K b div U; the weights of p_plus and b.
@@ -25,7 +25,8 @@ void check_update(const std::string &name,
 {
   CellWiseParameters parameters;
   parameters.pressure_update = update;
-  CellStep<2> body([](Triangulation<2> &mesh) { make_uniform_box(mesh, 2); }, Model::plane_strain);
+  CellWiseStep<2> body([](Triangulation<2> &mesh) { make_uniform_box(mesh, 2); },
+                       Model::plane_strain);
   Log log(MPI_COMM_WORLD);
   CellWise<2> cell_wise(body.triangulation, body.problem, parameters, log);
   const Step own = cell_wise.variant().adapted(step);

@@ -5,7 +5,7 @@
 #include <continua/base/input_error.h>
 #include <continua/finite_volume/coupled_solve.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -15,19 +15,19 @@ namespace test_of_coupled_solve
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 template <int dim>
 void check_random(const std::string &name,
                   const Model model,
                   const Formulation formulation,
-                  const CellCoefficients &given)
+                  const CellWiseCoefficients &given)
 {
   CellWiseParameters parameters;
   parameters.formulation = formulation;
-  CellCoefficients coefficients = given;
+  CellWiseCoefficients coefficients = given;
   coefficients.with_pressure = parameters.has_pressure();
-  const CellStep<dim> step(
+  const CellWiseStep<dim> step(
       [](Triangulation<dim> &mesh)
       {
         make_box(mesh, 4);
@@ -72,13 +72,13 @@ void check_tension(const Model model)
   const std::string name = model == Model::axisymmetric ? "tension, axisymmetric"
                            : dim == 2                   ? "tension, fixed thickness"
                                                         : "tension, 3-D";
-  CellCoefficients coefficients;
+  CellWiseCoefficients coefficients;
   coefficients.mass = {0., 0.};
   coefficients.stiffness = {3., 3.};
   coefficients.compressibility = {0.25, 0.25};
   coefficients.increment_mobility = {0., 0.};
   coefficients.correct_fluxes = false;
-  const CellStep<dim> step(
+  const CellWiseStep<dim> step(
       [](Triangulation<dim> &mesh)
       {
         make_uniform_box(mesh, 3);
@@ -95,7 +95,7 @@ void check_tension(const Model model)
         }
         problem.materials[0].compression = Compression::elastic(0.25);
       });
-  const CellSpace<dim> &space = step.space;
+  const CellWiseSpace<dim> &space = step.space;
   DistributedVector momentum = space.velocity_vector(), mass = space.pressure_vector(),
                     displacement = momentum, pressure = mass;
   for (const auto &face : step.conditions.faces())
@@ -128,8 +128,8 @@ UNIT_TEST(coupled_solve)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
-  const CellCoefficients coefficients = make_coefficients();
-  CellCoefficients incompressible = coefficients;
+  const CellWiseCoefficients coefficients = make_coefficients();
+  CellWiseCoefficients incompressible = coefficients;
   incompressible.compressibility = {0., 0.};
   check_random<2>("2-D", Model::plane_strain, Formulation::velocity_pressure, coefficients);
   check_random<2>("incompressible", Model::plane_strain, Formulation::velocity_pressure,
@@ -142,15 +142,15 @@ UNIT_TEST(coupled_solve)
   check_tension<2>(Model::axisymmetric);
   check_tension<3>(Model::three_dimensional);
 
-  CellCoefficients at_rest = coefficients;
-  at_rest.mass = {0., 0.};
-  const CellStep<2> loose([](Triangulation<2> &mesh) { make_uniform_box(mesh, 2); },
-                          Model::plane_strain, at_rest,
-                          [](Problem &problem)
-                          {
-                            for (BoundaryCondition &condition : problem.conditions)
-                              set_free(condition);
-                          });
+  CellWiseCoefficients steady = coefficients;
+  steady.mass = {0., 0.};
+  const CellWiseStep<2> loose([](Triangulation<2> &mesh) { make_uniform_box(mesh, 2); },
+                              Model::plane_strain, steady,
+                              [](Problem &problem)
+                              {
+                                for (BoundaryCondition &condition : problem.conditions)
+                                  set_free(condition);
+                              });
   check::throws<RunError>(
       "nothing holds it",
       [&]()

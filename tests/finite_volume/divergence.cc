@@ -1,7 +1,7 @@
 // The divergence by the values on faces: linear fields, what is conserved, the hoop term, and
 // observed orders.
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -9,7 +9,7 @@
 
 namespace test_of_divergence
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 namespace
 {
@@ -69,7 +69,7 @@ double axisymmetric_error(const Sequence &sequence, const unsigned int n)
 {
   Triangulation<2> triangulation(MPI_COMM_WORLD);
   sequence.make(triangulation, n);
-  CellMesh<2> mesh(triangulation, true);
+  CellWiseMesh<2> mesh(triangulation, true);
   mesh.build();
   const Operators<2> operators(mesh, InterfaceValue::common);
   const std::vector<std::vector<double>> values = {
@@ -94,7 +94,7 @@ double plane_error(const Sequence &sequence, const unsigned int n)
 {
   Triangulation<2> triangulation(MPI_COMM_WORLD);
   sequence.make(triangulation, n);
-  CellMesh<2> mesh(triangulation, false);
+  CellWiseMesh<2> mesh(triangulation, false);
   mesh.build();
   const Operators<2> operators(mesh, InterfaceValue::common);
   const auto wave = operators.field(Waves<2>::value);
@@ -125,7 +125,7 @@ UNIT_TEST(divergence)
     Triangulation<2> triangulation(MPI_COMM_WORLD);
     make_box(triangulation, 4);
     grade(triangulation);
-    CellMesh<2> mesh(triangulation, true);
+    CellWiseMesh<2> mesh(triangulation, true);
     mesh.build();
     const Operators<2> operators(mesh, InterfaceValue::common);
     const std::vector<std::vector<double>> values = {

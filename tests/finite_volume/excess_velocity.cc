@@ -5,7 +5,7 @@
 #include <continua/continuum/state_vectors.h>
 #include <continua/finite_volume/excess_velocity.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -15,7 +15,7 @@ namespace test_of_excess_velocity
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 const double density = 1.7;
 
 std::string kind_of_model(const Model model)
@@ -26,9 +26,9 @@ std::string kind_of_model(const Model model)
 }
 
 /// Viscosity 2 Pa s.
-CellCoefficients coefficients_of(const Step &step)
+CellWiseCoefficients coefficients_of(const Step &step)
 {
-  CellCoefficients coefficients = make_coefficients();
+  CellWiseCoefficients coefficients = make_coefficients();
   coefficients.mass = {step.a0 * density, step.a0 * density};
   return coefficients;
 }
@@ -75,8 +75,8 @@ struct Liquid
   /// The same after a time, exactly; v of each face from the correction without inertia.
   DistributedVector exact(const double time)
   {
-    const CellSpace<dim> &space = body.space;
-    CellCoefficients steady = make_coefficients();
+    const CellWiseSpace<dim> &space = body.space;
+    CellWiseCoefficients steady = make_coefficients();
     steady.mass = {0., 0.};
     body.system.prepare(steady);
     const DistributedVector ghosted = reconstruction.ghosted_pressure(pressure);
@@ -125,7 +125,7 @@ struct Liquid
     return difference.linfty_norm() / right.linfty_norm();
   }
 
-  CellStep<dim> body;
+  CellWiseStep<dim> body;
   LinearReconstruction<dim> reconstruction;
   ExcessVelocity<dim> excess;
   DistributedVector pressure;

@@ -3,7 +3,7 @@
 
 #include <continua/finite_volume/face_balance.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -13,12 +13,12 @@ namespace test_of_face_balance
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 template <int dim>
 void test(const std::string &name, const Model model, const bool with_fluid)
 {
-  const CellStep<dim> step(
+  const CellWiseStep<dim> step(
       [with_fluid](Triangulation<dim> &mesh)
       {
         make_box(mesh, dim == 2 ? 4 : 3);
@@ -34,7 +34,7 @@ void test(const std::string &name, const Model model, const bool with_fluid)
         set_free(problem.conditions[1]);
         set_free(problem.conditions[3]);
       });
-  const CellSpace<dim> &space = step.space;
+  const CellWiseSpace<dim> &space = step.space;
   SplitEquations<dim> equations(step.system);
   equations.reinit();
   FaceLinks<dim> links(step.system, equations);

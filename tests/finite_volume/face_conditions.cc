@@ -4,7 +4,7 @@
 
 #include <continua/finite_volume/face_conditions.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -14,7 +14,7 @@ namespace test_of_face_conditions
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 const double pi = dealii::numbers::PI;
 
 Waveform formula(const std::string &text)
@@ -70,7 +70,7 @@ void check_parts()
   Triangulation<dim> triangulation(MPI_COMM_WORLD);
   make_box(triangulation, 4);
   shear(triangulation);
-  CellSpace<dim> space(triangulation, Model::plane_strain);
+  CellWiseSpace<dim> space(triangulation, Model::plane_strain);
   space.distribute();
   const std::vector<BoundaryCondition> list = make_conditions<dim>();
   FaceConditions<dim> conditions(space, list);
@@ -160,7 +160,7 @@ void check_flow_rate()
 {
   Triangulation<2> triangulation(MPI_COMM_WORLD);
   make_uniform_box(triangulation, 4);
-  CellSpace<2> space(triangulation, Model::axisymmetric);
+  CellWiseSpace<2> space(triangulation, Model::axisymmetric);
   space.distribute();
   std::vector<BoundaryCondition> list = make_problem<2>(Model::axisymmetric).conditions;
   list[0].normal.flow = std::make_shared<FlowProfile>(FlowProfile::Shape::parabolic, formula("3*t"),
@@ -194,7 +194,7 @@ void check_times()
 {
   Triangulation<2> triangulation(MPI_COMM_WORLD);
   make_uniform_box(triangulation, 2);
-  CellSpace<2> space(triangulation, Model::plane_strain);
+  CellWiseSpace<2> space(triangulation, Model::plane_strain);
   space.distribute();
   std::vector<BoundaryCondition> list = make_problem<2>(Model::plane_strain).conditions;
   FaceConditions<2> conditions(space, list);

@@ -1,6 +1,6 @@
 // Central, upwind and blended values on faces against the formulas, with the flux of either sign.
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -8,7 +8,7 @@
 
 namespace test_of_face_interpolation
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 UNIT_TEST(face_interpolation)
 {
@@ -18,7 +18,7 @@ UNIT_TEST(face_interpolation)
   Triangulation<2> triangulation(MPI_COMM_WORLD);
   make_box(triangulation, 4);
   grade(triangulation);
-  CellMesh<2> mesh(triangulation, false);
+  CellWiseMesh<2> mesh(triangulation, false);
   mesh.build();
   const Operators<2> operators(mesh, InterfaceValue::broken);
   const ValueSpace<2> &space = operators.space;

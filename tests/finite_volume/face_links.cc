@@ -4,7 +4,7 @@
 
 #include <continua/finite_volume/face_links.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -14,20 +14,20 @@ namespace test_of_face_links
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 /// Moduli 3 (4/3) = 4 Pa s and 2 Pa s, faces of length 1/2 at 1/4 from the centres: springs of 8
 /// and
 /// 4. x = 0 is held, x = 1 a roller, the rest free.
 void check_two_squares()
 {
-  const CellStep<2> step(make_two_squares, Model::plane_strain, make_coefficients(),
-                         [](Problem &problem)
-                         {
-                           set_roller(problem.conditions[1]);
-                           set_free(problem.conditions[2]);
-                           set_free(problem.conditions[3]);
-                         });
+  const CellWiseStep<2> step(make_two_squares, Model::plane_strain, make_coefficients(),
+                             [](Problem &problem)
+                             {
+                               set_roller(problem.conditions[1]);
+                               set_free(problem.conditions[2]);
+                               set_free(problem.conditions[3]);
+                             });
   SplitEquations<2> equations(step.system);
   equations.reinit();
   FaceLinks<2> links(step.system, equations);
@@ -104,7 +104,7 @@ template <int dim>
 void check_oblique()
 {
   const std::string name = dim == 2 ? "2-D: " : "3-D: ";
-  const CellStep<dim> step(
+  const CellWiseStep<dim> step(
       [](Triangulation<dim> &mesh)
       {
         make_uniform_box(mesh, 3);

@@ -4,7 +4,7 @@
 
 #include <continua/finite_volume/face_traction.h>
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -14,13 +14,13 @@ namespace test_of_face_traction
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 using Components = std::vector<std::vector<double>>;
 
 /// The values of a vector field by component.
 template <int dim>
 Components
-components_of(const CellSpace<dim> &space,
+components_of(const CellWiseSpace<dim> &space,
               const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function)
 {
   Components result;
@@ -70,7 +70,7 @@ void check_meshes(const Model model, const std::vector<Coefficients> &list)
   {
     Triangulation<dim> triangulation(MPI_COMM_WORLD);
     named.make(triangulation);
-    CellSpace<dim> space(triangulation, model);
+    CellWiseSpace<dim> space(triangulation, model);
     space.distribute();
     const Components linear_field = components_of<dim>(
         space, [&](const dealii::Point<dim> &p) { return gradient * dealii::Tensor<1, dim>(p); });
@@ -146,7 +146,7 @@ void check_checkerboard()
   make_box(triangulation, 8);
   for (const auto &cell : triangulation.active_cell_iterators())
     cell->set_material_id(0);
-  CellSpace<2> space(triangulation, Model::plane_strain);
+  CellWiseSpace<2> space(triangulation, Model::plane_strain);
   space.distribute();
   const auto sign = [](const dealii::Point<2> &p)
   { return (int(std::floor(8. * p[0])) + int(std::floor(8. * p[1]))) % 2 == 0 ? 1. : -1.; };

@@ -1,7 +1,7 @@
 // The gradient of linear functions on every mesh, of quadratic ones on Cartesian meshes, the plain
 // stencil where nothing is skewed, and observed orders.
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -10,7 +10,7 @@
 
 namespace test_of_gauss_gradient
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 namespace
 {
@@ -43,7 +43,7 @@ std::array<double, 3> errors(const Sequence &sequence, const unsigned int n)
 {
   Triangulation<2> triangulation(MPI_COMM_WORLD);
   sequence.make(triangulation, n);
-  CellMesh<2> mesh(triangulation, false);
+  CellWiseMesh<2> mesh(triangulation, false);
   mesh.build();
   const Operators<2> operators(mesh, InterfaceValue::common);
   const auto values = operators.field(Waves<2>::value);
@@ -80,7 +80,7 @@ UNIT_TEST(gauss_gradient)
     // Cells of width 1/4: the differences of the two neighbours over 1/2; nothing else.
     Triangulation<3> triangulation(MPI_COMM_WORLD);
     make_box(triangulation, 4);
-    CellMesh<3> mesh(triangulation, false);
+    CellWiseMesh<3> mesh(triangulation, false);
     mesh.build();
     const Operators<3> operators(mesh, InterfaceValue::common);
     const auto quadratic = operators.field(
@@ -137,7 +137,7 @@ UNIT_TEST(gauss_gradient)
     distort_coarse_mesh(triangulation, 0.25);
     for (unsigned int i = 0; i < n_divisions; ++i)
       refine(triangulation);
-    CellMesh<3> mesh(triangulation, false);
+    CellWiseMesh<3> mesh(triangulation, false);
     mesh.build();
     const Operators<3> operators(mesh, InterfaceValue::common);
     const auto values = operators.field(linear<3>);

@@ -3,7 +3,7 @@
 
 #include <continua/finite_volume/held_cells.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -13,7 +13,7 @@ namespace test_of_held_cells
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 /// u = (0.01 x, -0.02 y, 0.03 z), in axisymmetry (0.01 x, -0.02 r).
 template <int dim>
@@ -33,9 +33,9 @@ template <int dim>
 void check_linear(const Model model)
 {
   const std::string name = model == Model::axisymmetric ? "axisymmetric" : dim == 2 ? "2-D" : "3-D";
-  CellCoefficients coefficients = make_coefficients();
+  CellWiseCoefficients coefficients = make_coefficients();
   coefficients.mass = {0., 0.};
-  const CellStep<dim> step(
+  const CellWiseStep<dim> step(
       [](Triangulation<dim> &mesh)
       {
         make_uniform_box(mesh, 3);
@@ -51,7 +51,7 @@ void check_linear(const Model model)
             set_free(problem.conditions[b]);
         }
       });
-  const CellSpace<dim> &space = step.space;
+  const CellWiseSpace<dim> &space = step.space;
   const DistributedVector exact = velocity_field<dim>(space, stretch<dim>);
   const double trace =
       0.01 - 0.02 + (model == Model::axisymmetric ? -0.02 : 0.) + (dim == 3 ? 0.03 : 0.);
@@ -79,10 +79,10 @@ void check_linear(const Model model)
 /// A solution that was made up; then some faces and pressures are held at other values.
 void check_random()
 {
-  const CellStep<2> step([](Triangulation<2> &mesh) { make_box(mesh, 4); }, Model::plane_strain,
-                         make_coefficients(),
-                         [](Problem &problem) { set_free(problem.conditions[1]); });
-  const CellSpace<2> &space = step.space;
+  const CellWiseStep<2> step([](Triangulation<2> &mesh) { make_box(mesh, 4); }, Model::plane_strain,
+                             make_coefficients(),
+                             [](Problem &problem) { set_free(problem.conditions[1]); });
+  const CellWiseSpace<2> &space = step.space;
   DistributedVector velocity = space.velocity_vector(), pressure = space.pressure_vector(),
                     momentum = velocity, mass = pressure;
   fill_at_random(velocity, 1);

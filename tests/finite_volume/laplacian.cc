@@ -1,7 +1,7 @@
 // div grad by the normal gradients on faces and by the cells' gradients there: linear and quadratic
 // functions, a checkerboard, and what is conserved.
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -9,7 +9,7 @@
 
 namespace test_of_laplacian
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 namespace
 {
@@ -65,7 +65,7 @@ UNIT_TEST(laplacian)
   make_box(triangulation, 8);
   for (const auto &cell : triangulation.active_cell_iterators())
     cell->set_material_id(0);
-  CellMesh<2> mesh(triangulation, false);
+  CellWiseMesh<2> mesh(triangulation, false);
   mesh.build();
   const Operators<2> operators(mesh, InterfaceValue::common);
   // 2 x^2 + 3 x y - 5 y^2: 4 - 10.

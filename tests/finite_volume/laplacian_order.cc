@@ -1,7 +1,7 @@
 // The observed order of the solution of Poisson's equation with the compact Laplacian, with values
 // given on the boundary and equal fluxes on interfaces.
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -12,7 +12,7 @@
 
 namespace test_of_laplacian_order
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 namespace
 {
@@ -21,7 +21,7 @@ double poisson_error(const Sequence &sequence, const unsigned int n, const bool 
 {
   Triangulation<2> triangulation(MPI_COMM_WORLD);
   sequence.make(triangulation, n);
-  CellMesh<2> mesh(triangulation, axisymmetric);
+  CellWiseMesh<2> mesh(triangulation, axisymmetric);
   mesh.build();
   const Operators<2> operators(mesh, InterfaceValue::common);
   const ValueSpace<2> &space = operators.space;

@@ -4,7 +4,7 @@
 
 #include <continua/finite_volume/linear_reconstruction.h>
 
-#include "cell_body.h"
+#include "cell_wise_body.h"
 
 #include "../unit_test.h"
 
@@ -14,7 +14,7 @@ namespace test_of_linear_reconstruction
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 template <int dim>
 void test(const Model model)
@@ -31,7 +31,7 @@ void test(const Model model)
   {
     Triangulation<dim> triangulation(MPI_COMM_WORLD);
     named.make(triangulation);
-    CellSpace<dim> space(triangulation, model);
+    CellWiseSpace<dim> space(triangulation, model);
     space.distribute();
     const Problem problem = make_problem<dim>(model);
     LinearReconstruction<dim> reconstruction(space, problem);

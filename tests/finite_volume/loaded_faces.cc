@@ -4,7 +4,7 @@
 
 #include <continua/finite_volume/loaded_faces.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -14,7 +14,7 @@ namespace test_of_loaded_faces
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 /// Cells of width h in a block that rollers hold but on x = 1; K = 2 Pa and mu = 3 Pa.
 template <int dim>
@@ -22,16 +22,16 @@ void check_block(const Model model)
 {
   const std::string name = model == Model::axisymmetric ? "axisymmetric" : dim == 2 ? "2-D" : "3-D";
   const double h = 0.25;
-  const CellStep<dim> step([](Triangulation<dim> &mesh) { make_uniform_box(mesh, 4); }, model,
-                           make_coefficients(),
-                           [](Problem &problem)
-                           {
-                             for (BoundaryCondition &condition : problem.conditions)
-                               set_roller(condition);
-                             set_free(problem.conditions[1]);
-                             problem.materials[0].compression = Compression::elastic(0.5);
-                           });
-  const CellSpace<dim> &space = step.space;
+  const CellWiseStep<dim> step([](Triangulation<dim> &mesh) { make_uniform_box(mesh, 4); }, model,
+                               make_coefficients(),
+                               [](Problem &problem)
+                               {
+                                 for (BoundaryCondition &condition : problem.conditions)
+                                   set_roller(condition);
+                                 set_free(problem.conditions[1]);
+                                 problem.materials[0].compression = Compression::elastic(0.5);
+                               });
+  const CellWiseSpace<dim> &space = step.space;
   LoadedFaces<dim> faces(space, step.problem, step.conditions, step.operators, step.closure,
                          step.parameters);
   faces.reinit();
@@ -77,7 +77,7 @@ void check_block(const Model model)
 /// A shear traction on the right side of one row of cells whose other sides are held.
 void check_shear()
 {
-  const CellStep<2> step(
+  const CellWiseStep<2> step(
       [](Triangulation<2> &mesh)
       {
         dealii::GridGenerator::subdivided_hyper_rectangle(mesh, std::vector<unsigned int>{4, 1},
@@ -111,8 +111,8 @@ void check_others()
 {
   const auto exist = [](const std::function<void(Problem &)> &change)
   {
-    const CellStep<2> step([](Triangulation<2> &mesh) { make_box(mesh, 2); }, Model::plane_strain,
-                           make_coefficients(), change);
+    const CellWiseStep<2> step([](Triangulation<2> &mesh) { make_box(mesh, 2); },
+                               Model::plane_strain, make_coefficients(), change);
     return LoadedFaces<2>(step.space, step.problem, step.conditions, step.operators, step.closure,
                           step.parameters)
         .exist();

@@ -4,7 +4,7 @@
 
 #include <continua/finite_volume/momentum_predictor.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -14,17 +14,17 @@ namespace test_of_momentum_predictor
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 template <int dim>
-struct Predictor : public CellStep<dim>
+struct Predictor : public CellWiseStep<dim>
 {
   using Vector = typename SplitEquations<dim>::Vector;
 
   Predictor(const std::function<void(Triangulation<dim> &)> &make_mesh,
             const Model model,
             const std::function<void(Problem &)> &change)
-      : CellStep<dim>(make_mesh, model, make_coefficients(), change),
+      : CellWiseStep<dim>(make_mesh, model, make_coefficients(), change),
         equations(this->system),
         links(this->system, equations),
         predictor(this->system, equations, links)

@@ -5,7 +5,7 @@
 
 #include <continua/finite_volume/pressure_equation.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -15,17 +15,17 @@ namespace test_of_pressure_equation
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
-CellCoefficients with_mobility(const double mobility)
+CellWiseCoefficients with_mobility(const double mobility)
 {
-  CellCoefficients coefficients = make_coefficients();
+  CellWiseCoefficients coefficients = make_coefficients();
   coefficients.increment_mobility = {mobility, mobility};
   return coefficients;
 }
 
 template <int dim>
-struct Pressures : public CellStep<dim>
+struct Pressures : public CellWiseStep<dim>
 {
   using Vector = typename SplitEquations<dim>::Vector;
 
@@ -34,7 +34,7 @@ struct Pressures : public CellStep<dim>
       const Model model,
       const double mobility,
       const std::function<void(Problem &)> &change = [](Problem &) {})
-      : CellStep<dim>(make_mesh, model, with_mobility(mobility), change),
+      : CellWiseStep<dim>(make_mesh, model, with_mobility(mobility), change),
         equations(this->system),
         links(this->system, equations),
         faces(this->system, equations, links),

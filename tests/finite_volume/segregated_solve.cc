@@ -1,7 +1,7 @@
 // The segregated loop, converged, has the solution of all equations at once: in every formulation,
 // with conditions of both kinds on a face, fluid beside solid, axisymmetry, three dimensions.
 
-#include "cell_body.h"
+#include "cell_wise_body.h"
 
 #include <continua/finite_volume/coupled_solve.h>
 #include <continua/finite_volume/segregated_solve.h>
@@ -14,7 +14,7 @@ namespace test_of_segregated_solve
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 template <int dim>
 void test(const std::string &name,
@@ -47,19 +47,19 @@ void test(const std::string &name,
   parameters.tolerance = 1e-12;
   parameters.maximum_corrections = 2000;
 
-  CellSpace<dim> space(mesh, model);
+  CellWiseSpace<dim> space(mesh, model);
   space.distribute();
   FaceConditions<dim> conditions(space, problem.conditions);
   conditions.build();
-  std::vector<CellOperators> operators;
+  std::vector<CellWiseOperators> operators;
   PressureClosure closure;
   assemble_cell_operators(space, problem, conditions, parameters,
                           std::vector<bool>(problem.materials.size(), true), operators, closure);
-  CellSystem<dim> system(space, problem, conditions, operators, closure, parameters);
+  CellWiseSystem<dim> system(space, problem, conditions, operators, closure, parameters);
   system.reinit();
   // A step of 0.1 s: the moduli are 3 Pa, 2 Pa s and 1 Pa, the densities 1 and 2 kg/m^3.
   const double step = 0.1;
-  CellCoefficients coefficients;
+  CellWiseCoefficients coefficients;
   coefficients.with_pressure = parameters.has_pressure();
   coefficients.correct_fluxes = formulation == Formulation::velocity_pressure;
   coefficients.mass = {1. / step, 2. / step};

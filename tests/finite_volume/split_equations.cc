@@ -1,9 +1,9 @@
-// The equations of the segregated loop are those of CellSystem: the residual of all four blocks of
-// rows, the pressures' part of it, single entries, and vectors there and back.
+// The equations of the segregated loop are those of CellWiseSystem: the residual of all four blocks
+// of rows, the pressures' part of it, single entries, and vectors there and back.
 
 #include <continua/finite_volume/split_equations.h>
 
-#include "cell_step.h"
+#include "cell_wise_step.h"
 
 #include "../unit_test.h"
 
@@ -13,7 +13,7 @@ namespace test_of_split_equations
 {
 namespace
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 template <int dim>
 void test(const std::string &name,
@@ -23,10 +23,10 @@ void test(const std::string &name,
 {
   CellWiseParameters parameters;
   parameters.formulation = formulation;
-  CellCoefficients coefficients = make_coefficients();
+  CellWiseCoefficients coefficients = make_coefficients();
   coefficients.with_pressure = parameters.has_pressure();
   coefficients.correct_fluxes = correct_fluxes;
-  const CellStep<dim> step(
+  const CellWiseStep<dim> step(
       [](Triangulation<dim> &mesh)
       {
         make_box(mesh, 4);
@@ -39,7 +39,7 @@ void test(const std::string &name,
         set_free(problem.conditions[1]);
       },
       parameters);
-  const CellSpace<dim> &space = step.space;
+  const CellWiseSpace<dim> &space = step.space;
   SplitEquations<dim> equations(step.system);
   equations.reinit();
   using Vector = typename SplitEquations<dim>::Vector;

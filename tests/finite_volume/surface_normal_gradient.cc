@@ -1,6 +1,6 @@
 // n . gradient on faces: of linear functions on every mesh, of quadratic ones on Cartesian meshes.
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -8,7 +8,7 @@
 
 namespace test_of_surface_normal_gradient
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 namespace
 {
@@ -42,7 +42,7 @@ UNIT_TEST(surface_normal_gradient)
 
   Triangulation<3> triangulation(MPI_COMM_WORLD);
   make_box(triangulation, 4);
-  CellMesh<3> mesh(triangulation, false);
+  CellWiseMesh<3> mesh(triangulation, false);
   mesh.build();
   const Operators<3> operators(mesh, InterfaceValue::broken);
   const auto values =
@@ -72,7 +72,7 @@ UNIT_TEST(surface_normal_gradient)
   make_box(leaning, 2);
   move_vertices<2>(leaning, [](const dealii::Point<2> &point)
                    { return dealii::Point<2>(point[0], point[1] + point[0]); });
-  CellMesh<2> leaning_mesh(leaning, false);
+  CellWiseMesh<2> leaning_mesh(leaning, false);
   leaning_mesh.build();
   const Operators<2> leaning_operators(leaning_mesh, InterfaceValue::common);
   const auto sums =

@@ -3,7 +3,7 @@
 
 #include <continua/finite_volume/swept_volumes.h>
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -12,7 +12,7 @@
 
 namespace test_of_swept_volumes
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 namespace
 {
 /// Vertices of the mesh at one of three places; the axis and the origin of x stay planes.
@@ -22,10 +22,10 @@ VertexPlaces<dim> places(const Triangulation<dim> &mesh, const double time)
   VertexPlaces<dim> result = mesh.get_vertices();
   for (dealii::Point<dim> &p : result)
   {
-    const dealii::Point<dim> at_rest = p;
+    const dealii::Point<dim> undeformed = p;
     for (unsigned int c = 0; c < dim; ++c)
-      p[c] += at_rest[c] * (0.2 * time * std::sin(5. * at_rest[0] + 3. * at_rest[1] + c) +
-                            0.1 * time * time * std::cos(2. * at_rest[dim - 1] - c));
+      p[c] += undeformed[c] * (0.2 * time * std::sin(5. * undeformed[0] + 3. * undeformed[1] + c) +
+                               0.1 * time * time * std::cos(2. * undeformed[dim - 1] - c));
   }
   return result;
 }
@@ -37,7 +37,7 @@ void check_steps(const std::string &name,
 {
   Triangulation<dim> triangulation(MPI_COMM_WORLD);
   make(triangulation);
-  CellMesh<dim> mesh(triangulation, axisymmetric);
+  CellWiseMesh<dim> mesh(triangulation, axisymmetric);
   mesh.build();
   // Region 1 moves, and region 0 beside it stays.
   const std::vector<bool> moving = {false, true};
@@ -55,13 +55,13 @@ void check_steps(const std::string &name,
   const Step step = backward_differencing_step(times[1], times[2] - times[1], times[1] - times[0],
                                                Update::implicit);
   swept.measure(step, of_time[0], of_time[1], of_time[2], moving);
-  double growth = 0., earlier = 0., rate = 0., least = 1., at_rest = 0.;
+  double growth = 0., earlier = 0., rate = 0., least = 1., undeformed = 0.;
   for (unsigned int cell = 0; cell < mesh.n_owned_cells(); ++cell)
   {
     const double size = volumes[0][cell];
     if (!swept.moves(cell))
     {
-      at_rest = std::max(at_rest, std::abs(volumes[2][cell] - size) / size);
+      undeformed = std::max(undeformed, std::abs(volumes[2][cell] - size) / size);
       continue;
     }
     double outflow = 0.;
@@ -80,7 +80,7 @@ void check_steps(const std::string &name,
   check::absolute(name + ": growth in the step", largest(growth), 0., 1e-13);
   check::absolute(name + ": growth in both steps", largest(earlier), 0., 1e-13);
   check::absolute(name + ": rate by the formula", largest(rate), 0., 1e-12);
-  check::absolute(name + ": what stays", largest(at_rest), 0., 0.);
+  check::absolute(name + ": what stays", largest(undeformed), 0., 0.);
   check::is_true(name + ": cells grow or shrink",
                  dealii::Utilities::MPI::min(least, MPI_COMM_WORLD) > 1e-4);
 }

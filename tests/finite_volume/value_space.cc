@@ -1,7 +1,7 @@
 // How many values a mesh has, by hand, and that the ranks agree on whose they are and what number
 // each has.
 
-#include "cell_meshes.h"
+#include "cell_wise_meshes.h"
 
 #include "../unit_test.h"
 
@@ -10,7 +10,7 @@
 
 namespace test_of_value_space
 {
-using namespace cell_meshes;
+using namespace cell_wise_meshes;
 
 namespace
 {
@@ -22,7 +22,7 @@ void check_space(const std::string &name,
 {
   Triangulation<dim> triangulation(MPI_COMM_WORLD);
   make(triangulation);
-  CellMesh<dim> mesh(triangulation, false);
+  CellWiseMesh<dim> mesh(triangulation, false);
   mesh.build();
   ValueSpace<dim> space(mesh, interface_value);
   space.distribute();

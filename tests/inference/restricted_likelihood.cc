@@ -23,7 +23,7 @@ ResidualsOfRecord about_mean(std::vector<double> values)
   record.interval = 1.;
   record.columns = {std::vector<double>(values.size(), 1.)};
   record.residuals = std::move(values);
-  record.further_information.reinit(1, 1);
+  record.other_information.reinit(1, 1);
   return record;
 }
 
@@ -47,7 +47,7 @@ UNIT_TEST(restricted_likelihood)
 
   // A mean that others know with much more information takes nothing.
   ResidualsOfRecord known = white;
-  known.further_information(0, 0) = 1e12;
+  known.other_information(0, 0) = 1e12;
   check::relative("about a mean that is known",
                   restricted_likelihood_noise(known, start_of(known, 0), false).standard_deviation,
                   std::sqrt(30. / 5.), 1e-4);

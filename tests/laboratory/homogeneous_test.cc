@@ -31,9 +31,10 @@ std::unique_ptr<StrainLaw> law_of(const std::string &type, const double bulk_mod
   return make_strain_law(parameters, spring, bulk_modulus);
 }
 
-double nominal(const HomogeneousTest &test, const HomogeneousTestType type, const double measure)
+double
+nominal(const HomogeneousTest &test, const HomogeneousTestType type, const double strain_measure)
 {
-  return test.at(type, measure).nominal_stress;
+  return test.at(type, strain_measure).nominal_stress;
 }
 
 void check_rubber()
@@ -108,14 +109,14 @@ void check_slopes()
     const HomogeneousTest test(*law, row.needs_bulk_modulus ? 1. / 4e6 : 0., fibres);
     for (const auto &[word, type] : homogeneous_test_words())
     {
-      const double measure = type == HomogeneousTestType::shear ? 0.4 : 1.3, h = 1e-3;
+      const double strain_measure = type == HomogeneousTestType::shear ? 0.4 : 1.3, h = 1e-3;
       const auto slope = [&](const auto &value)
       {
-        return (8. * (value(measure + h) - value(measure - h)) -
-                (value(measure + 2. * h) - value(measure - 2. * h))) /
+        return (8. * (value(strain_measure + h) - value(strain_measure - h)) -
+                (value(strain_measure + 2. * h) - value(strain_measure - 2. * h))) /
                (12. * h);
       };
-      const HomogeneousTestPoint point = test.at(type, measure);
+      const HomogeneousTestPoint point = test.at(type, strain_measure);
       const double n_loads = type == HomogeneousTestType::equibiaxial ? 2. : 1.;
       const double stresses = slope([&](const double x) { return test.at(type, x).energy; });
       // With fibres both directions of an equibiaxial test have stresses of their own.
@@ -166,9 +167,10 @@ void check_ends_of_saint_venant_kirchhoff()
       // A negative ratio makes the sides shrink under compression.
       const double compression =
           side.across < -1. ? std::max(0.01, std::sqrt(1. + 1. / side.across)) : 0.01;
-      check::relative(name + ": end in tension", test.end(side.type, 100.).measure, tension, 1e-7);
-      check::relative(name + ": end in compression", test.end(side.type, 0.01).measure, compression,
+      check::relative(name + ": end in tension", test.end(side.type, 100.).strain_measure, tension,
                       1e-7);
+      check::relative(name + ": end in compression", test.end(side.type, 0.01).strain_measure,
+                      compression, 1e-7);
       double largest = 0., of_slope = 0.;
       for (const double part : {-0.999, -0.9, -0.6, -0.2, 0.2, 0.5, 0.9, 0.999})
       {
@@ -193,7 +195,7 @@ void check_ends_of_saint_venant_kirchhoff()
   // round-off hides below 1e-8.
   for (const double asked : {2.1, 90.})
     check::relative(asked < 3. ? "the place, 2.1 asked for" : "the place, 90 asked for",
-                    test.end(Type::uniaxial, asked).measure, std::sqrt(1. + 1. / 0.3), 1e-7);
+                    test.end(Type::uniaxial, asked).strain_measure, std::sqrt(1. + 1. / 0.3), 1e-7);
 }
 
 /// A rubber that follows ln J = -p/K and is compressed: without stress across, the volume and the
@@ -235,12 +237,12 @@ void check_ends_of_neo_hookean()
       }
       least = std::min(least, above);
     }
-    check::relative("neo hookean, " + word + ": end in compression", test.end(type, 0.01).measure,
-                    least, 1e-6);
+    check::relative("neo hookean, " + word + ": end in compression",
+                    test.end(type, 0.01).strain_measure, least, 1e-6);
     check::is_true("neo hookean, " + word + ": the sides lose their stability",
                    test.end(type, 0.01).reason.find("limit point") != std::string::npos);
-    check::relative("neo hookean, " + word + ": no end in tension", test.end(type, 100.).measure,
-                    100., 0.);
+    check::relative("neo hookean, " + word + ": no end in tension",
+                    test.end(type, 100.).strain_measure, 100., 0.);
   }
 }
 

@@ -30,8 +30,8 @@ StretchTable curve_of(const StrainLawParameters &parameters,
   table.type = type;
   for (unsigned int i = 1; i <= 12; ++i)
   {
-    table.measures.push_back(1. + 0.05 * i);
-    table.stresses.push_back(specimen.at(type, table.measures.back()).nominal_stress);
+    table.strain_measures.push_back(1. + 0.05 * i);
+    table.stresses.push_back(specimen.at(type, table.strain_measures.back()).nominal_stress);
   }
   return table;
 }
@@ -68,20 +68,20 @@ UNIT_TEST(strain_law_fit)
     const StretchTable &table = tables[0];
     double product = 0., square = 0., difference = 0.;
     const StretchTable unit = curve_of(neo, 1., 1e-7 * 7e5, Type::uniaxial);
-    for (std::size_t row = 0; row < table.measures.size(); ++row)
+    for (std::size_t row = 0; row < table.strain_measures.size(); ++row)
     {
       product += unit.stresses[row] * table.stresses[row];
       square += unit.stresses[row] * unit.stresses[row];
     }
     const double largest = *std::max_element(table.stresses.begin(), table.stresses.end());
-    for (std::size_t row = 0; row < table.measures.size(); ++row)
+    for (std::size_t row = 0; row < table.strain_measures.size(); ++row)
       difference +=
           std::pow((product / square * unit.stresses[row] - table.stresses[row]) / largest, 2);
     const StrainLawFit line = fit_strain_law(neo, 7e5, 1e-7, along, {table});
     check::relative("a law that cannot follow: shear modulus", line.shear_modulus, product / square,
                     1e-7);
     check::relative("a law that cannot follow: misfit", line.misfit,
-                    std::sqrt(difference / table.measures.size()), 1e-6);
+                    std::sqrt(difference / table.strain_measures.size()), 1e-6);
   }
   for (const CuttingDirection direction :
        {CuttingDirection::axial, CuttingDirection::circumferential})

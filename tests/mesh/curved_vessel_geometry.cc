@@ -76,8 +76,8 @@ void test_torus()
   // By Pappus: the section's area times the way of its middle.
   const auto geometry = make(table(arc(30.), 24), "set Wall layers = inner, outer\n");
   measures::Measures<3> mesh(*geometry);
-  const double way = 2. * PI / 3. * 30e-3;
-  const double fluid = PI * 1e-4 * way, layer = 0.5 * PI * (1.44e-4 - 1e-4) * way;
+  const double length = 2. * PI / 3. * 30e-3;
+  const double fluid = PI * 1e-4 * length, layer = 0.5 * PI * (1.44e-4 - 1e-4) * length;
   const measures::CurvedMeasures<3> coarse = curved(mesh);
   const double error = std::abs(coarse.volumes.at("fluid") / fluid - 1.);
   check::absolute("torus: volume", error, 0., 1e-3);
@@ -92,17 +92,17 @@ void test_torus()
   check::is_true("torus: one branch with two ends",
                  branches.size() == 1 && branches[0].ends.size() == 2);
   const VesselAxis<3> &axis = *branches[0].axis;
-  check::relative("torus: length", axis.range()[1], way, 1e-6);
-  check::relative("torus: length of the law", branches[0].law.length(), way, 1e-6);
+  check::relative("torus: length", axis.range()[1], length, 1e-6);
+  check::relative("torus: length of the law", branches[0].law.length(), length, 1e-6);
   const Point<3> middle(30e-3 * std::sin(PI / 3.), 30e-3 * (1. - std::cos(PI / 3.)), 0.);
-  check::absolute("torus: point on the axis", axis.point(0.5 * way).distance(middle), 0., 1e-7);
+  check::absolute("torus: point on the axis", axis.point(0.5 * length).distance(middle), 0., 1e-7);
   check::relative("torus: position of a point above",
-                  axis.position(middle + Point<3>(0., 0., 8e-3)), 0.5 * way, 1e-5);
+                  axis.position(middle + Point<3>(0., 0., 8e-3)), 0.5 * length, 1e-5);
 
   const auto half = make(table(arc(30.), 24), "set Sector = half\n");
   measures::Measures<3> part(*half);
   check::relative("half: volume", curved(part).volumes.at("fluid"), 0.5 * fluid, 1e-3);
-  check::is_true("half: its plane", part.boundary("side z") > 0.9 * 24e-3 * way);
+  check::is_true("half: its plane", part.boundary("side z") > 0.9 * 24e-3 * length);
   check::equal("half: no other plane", part.boundary_names.back(), "side z");
 }
 
@@ -112,8 +112,8 @@ void test_helix()
   { return Point<3>(40. * std::cos(4. * PI * t), 40. * std::sin(4. * PI * t), 80. * t); };
   const auto geometry = make(table(coil, 80), "", 40);
   measures::Measures<3> mesh(*geometry);
-  const double way = std::hypot(4. * PI * 40e-3, 80e-3);
-  check::relative("coil: volume", curved(mesh).volumes.at("fluid"), PI * 1e-4 * way, 1e-3);
+  const double length = std::hypot(4. * PI * 40e-3, 80e-3);
+  check::relative("coil: volume", curved(mesh).volumes.at("fluid"), PI * 1e-4 * length, 1e-3);
   check::is_true("coil: no cell is folded", curved(mesh).least_determinant > 0.2);
 }
 

@@ -36,7 +36,7 @@ Network network_of(const Heart::Law &heart, const double resistance, const doubl
   out.resistance = resistance;
   out.pressure_behind = behind;
   Network network(std::move(edges), {in, out});
-  network.rest(behind);
+  network.start_at_rest(behind);
   return network;
 }
 
@@ -135,7 +135,7 @@ void check_closed_valve()
       return time < 0.1 ? 1e-5 * sine * sine : 0.;
     };
     Network result(std::move(edges), {at_start, pulse});
-    result.rest(0.);
+    result.start_at_rest(0.);
     return result;
   };
   TerminalLaw heart;

@@ -45,7 +45,7 @@ Network network_of(const std::vector<Tube> &tubes,
     edges.push_back({make_vessel<SquareRootWall>(description, law, wall), tube.from, tube.to});
   }
   Network network(std::move(edges), terminals);
-  network.rest(0.);
+  network.start_at_rest(0.);
   return network;
 }
 
@@ -264,7 +264,7 @@ double error_of_windkessel(const double compliance)
   windkessel.pressure_behind = 100.;
   windkessel.initial_pressure = 100.;
   Network network = network_of({tube}, {in, windkessel});
-  network.rest(100.);
+  network.start_at_rest(100.);
   const double delay = 0.01 / 200.;
   network.advance(0.1, 0.9);
   const double exact = 100. + 1e-6 * (windkessel.resistance +
@@ -286,7 +286,7 @@ double lag_of_windkessel(const double x)
   windkessel.compliance = step / (x * windkessel.distal_resistance);
   windkessel.pressure_behind = windkessel.initial_pressure = 100.;
   Network network = network_of({stiff_tube}, {in, windkessel});
-  network.rest(100.);
+  network.start_at_rest(100.);
   const auto outflow = [&]() { return network.vessel(0).end_state(Vessel::End::end).flow; };
   constexpr unsigned int n_steps = 2000;
   double before = 0.;

@@ -305,7 +305,7 @@ void taper_of_tables()
     check::relative("taper of tables", vessel->pressure(end, 1.3 * area),
                     exact.pressure(1.3 * area), 1e-6);
   }
-  vessel->rest(1000.);
+  vessel->start_at_rest(1000.);
   const Vessel::Values middle = vessel->values(0.475 * length);
   const TubeSection section = section_at(0.475 * length);
   const NeoHookeanWall exact(FlowLaw::pi * section.inner_radius * section.inner_radius,
@@ -368,7 +368,7 @@ void opened_ring()
   const LoadedTube tube(section);
   for (const double pressure : {1., 1000.})
   {
-    vessel->rest(pressure);
+    vessel->start_at_rest(pressure);
     const double inner = tube.inner_radius(pressure), area = FlowLaw::pi * inner * inner;
     check::relative("opened ring, area", vessel->values(0.5 * length).area, area, 1e-6);
     check::relative("opened ring, stiffness", vessel->stiffness(Vessel::End::start, area),

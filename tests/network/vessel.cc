@@ -17,7 +17,7 @@ using namespace Continua;
 
 namespace
 {
-constexpr double rest_area = 3e-4, rest_speed = 5., density = 1000.; // m^2, m/s, kg/m^3
+constexpr double start_area = 3e-4, start_speed = 5., density = 1000.; // m^2, m/s, kg/m^3
 
 FlowLaw inviscid()
 {
@@ -30,7 +30,7 @@ FlowLaw inviscid()
 /// c of the square-root law: it goes with the fourth root of the area.
 double speed_at(const double area)
 {
-  return rest_speed * std::pow(area / rest_area, 0.25);
+  return start_speed * std::pow(area / start_area, 0.25);
 }
 
 TerminalLaw terminal(const TerminalLaw::Type type, const double value = 0.)
@@ -61,9 +61,9 @@ Network uniform_tube(const unsigned int n_cells, const TerminalLaw::Type ends)
   description.n_cells = n_cells;
   Network network = one_vessel<SquareRootWall>(
       description, inviscid(),
-      [](double) { return SquareRootWall(rest_area, 0., density * rest_speed * rest_speed); },
+      [](double) { return SquareRootWall(start_area, 0., density * start_speed * start_speed); },
       terminal(ends), terminal(ends));
-  network.rest(0.);
+  network.start_at_rest(0.);
   return network;
 }
 
@@ -71,7 +71,7 @@ Network uniform_tube(const unsigned int n_cells, const TerminalLaw::Type ends)
 double area_at_start(const double z)
 {
   const double distance = (z - 0.35) / 0.12;
-  return rest_area * (1. + 0.1 * std::exp(-distance * distance));
+  return start_area * (1. + 0.1 * std::exp(-distance * distance));
 }
 
 /// The relative error, in the mean, of a wave that has run for 0.04 s and has not broken.
@@ -82,7 +82,7 @@ double error_of_simple_wave(const unsigned int n_cells)
   for (unsigned int i = 0; i < n_cells; ++i)
   {
     areas.push_back(area_at_start((i + 0.5) / n_cells));
-    flows.push_back(areas[i] * 4. * (speed_at(areas[i]) - rest_speed));
+    flows.push_back(areas[i] * 4. * (speed_at(areas[i]) - start_speed));
   }
   network.vessel(0).set(areas, flows);
   const double time = 0.04, volume = network.volume();
@@ -94,12 +94,12 @@ double error_of_simple_wave(const unsigned int n_cells)
   {
     // Along a characteristic the area stays: it runs with U + c = 5 c - 4 c0.
     const double z = (i + 0.5) / n_cells;
-    double origin = z - time * rest_speed;
+    double origin = z - time * start_speed;
     for (unsigned int k = 0; k < 100; ++k)
-      origin = z - time * (5. * speed_at(area_at_start(origin)) - 4. * rest_speed);
+      origin = z - time * (5. * speed_at(area_at_start(origin)) - 4. * start_speed);
     const double exact = area_at_start(origin);
     error += std::abs(network.vessel(0).areas()[i] - exact);
-    sum += exact - rest_area;
+    sum += exact - start_area;
   }
   return error / sum;
 }
@@ -113,7 +113,7 @@ void check_riemann_problem(const double ratio,
 {
   constexpr unsigned int n_cells = 400;
   const std::string name = "Riemann problem of " + std::to_string(ratio) + ": ";
-  const double left = ratio * rest_area, right = rest_area;
+  const double left = ratio * start_area, right = start_area;
   Network network = uniform_tube(n_cells, TerminalLaw::Type::closed);
   std::vector<double> areas(n_cells, right);
   std::fill(areas.begin(), areas.begin() + n_cells / 2, left);
@@ -122,7 +122,7 @@ void check_riemann_problem(const double ratio,
 
   // The velocities behind the rarefaction and the shock are equal. The momentum flux is A U^2 + k
   // A^(3/2).
-  const double k = 2. * rest_speed * rest_speed / (3. * std::sqrt(rest_area));
+  const double k = 2. * start_speed * start_speed / (3. * std::sqrt(start_area));
   const auto behind_rarefaction = [&](const double area)
   { return 4. * (speed_at(left) - speed_at(area)); };
   const auto behind_shock = [&](const double area)
@@ -150,7 +150,7 @@ void check_riemann_problem(const double ratio,
   const unsigned int in_fan = cell_at(fan);
   const double z_over_t = ((in_fan + 0.5) / n_cells - 0.5) / time;
   check::relative(name + "area in the rarefaction", found[in_fan],
-                  rest_area * std::pow((4. * speed_at(left) - z_over_t) / (5. * rest_speed), 4.),
+                  start_area * std::pow((4. * speed_at(left) - z_over_t) / (5. * start_speed), 4.),
                   100. * band);
   // The liquid on the right of the middle gives the place of the shock to a part of a cell.
   double behind = 0.;
@@ -170,7 +170,7 @@ void check_riemann_problem(const double ratio,
 void check_speeds_on_a_flow()
 {
   constexpr unsigned int n_cells = 400;
-  constexpr double alpha = 4. / 3., velocity = 0.3 * rest_speed, time = 0.05, begin = 0.45;
+  constexpr double alpha = 4. / 3., velocity = 0.3 * start_speed, time = 0.05, begin = 0.45;
   VesselDescription description;
   description.name = "tube";
   description.length = 1.;
@@ -179,26 +179,26 @@ void check_speeds_on_a_flow()
   law.momentum_correction = alpha;
   Network network = one_vessel<SquareRootWall>(
       description, law,
-      [](double) { return SquareRootWall(rest_area, 0., density * rest_speed * rest_speed); },
-      terminal(TerminalLaw::Type::flow_rate, velocity * rest_area),
+      [](double) { return SquareRootWall(start_area, 0., density * start_speed * start_speed); },
+      terminal(TerminalLaw::Type::flow_rate, velocity * start_area),
       terminal(TerminalLaw::Type::pressure, 0.));
   std::vector<double> areas;
   for (unsigned int i = 0; i < n_cells; ++i)
   {
     const double distance = ((i + 0.5) / n_cells - begin) / 0.03;
-    areas.push_back(rest_area * (1. + 1e-6 * std::exp(-distance * distance)));
+    areas.push_back(start_area * (1. + 1e-6 * std::exp(-distance * distance)));
   }
-  network.vessel(0).set(areas, std::vector<double>(n_cells, velocity * rest_area));
+  network.vessel(0).set(areas, std::vector<double>(n_cells, velocity * start_area));
   network.advance(time, 0.8);
   const double middle = begin + alpha * velocity * time,
-               relative =
-                   std::sqrt(rest_speed * rest_speed + alpha * (alpha - 1.) * velocity * velocity);
+               relative = std::sqrt(start_speed * start_speed +
+                                    alpha * (alpha - 1.) * velocity * velocity);
   for (const bool downwards : {false, true})
   {
     double sum = 0., moment = 0.;
     for (unsigned int i = 0; i < n_cells; ++i)
     {
-      const double z = (i + 0.5) / n_cells, excess = network.vessel(0).areas()[i] / rest_area - 1.;
+      const double z = (i + 0.5) / n_cells, excess = network.vessel(0).areas()[i] / start_area - 1.;
       if ((z > middle) == downwards)
       {
         sum += excess;
@@ -224,7 +224,7 @@ void check_sudden_pressure()
       description, inviscid(),
       [](double) { return SquareRootWall(area, 0., density * speed * speed); },
       terminal(TerminalLaw::Type::pressure, pressure), terminal(TerminalLaw::Type::absorbing));
-  network.rest(0.);
+  network.start_at_rest(0.);
   network.advance(0.05, 0.8);
   const double k = 2. * speed * speed / (3. * std::sqrt(area)),
                root = 1. + pressure / (2. * density * speed * speed), behind = area * root * root,
@@ -280,7 +280,7 @@ void check_steady_state(const std::string &name,
     of_flow = std::fmax(of_flow, std::abs(network.vessel(0).flows()[i] - flow));
   }
   check::absolute(name + ": areas", of_area, 0., 1e-13);
-  check::absolute(name + ": flow rates", of_flow, 0., 1e-13 * rest_speed * rest_area);
+  check::absolute(name + ": flow rates", of_flow, 0., 1e-13 * start_speed * start_area);
 }
 
 /// Friction: the pressure falls along the tube as Poiseuille has it.
@@ -296,7 +296,7 @@ void check_friction()
       description, law,
       [&](double) { return SquareRootWall(FlowLaw::pi * radius * radius, 0., 1e6); },
       terminal(TerminalLaw::Type::flow_rate, flow), terminal(TerminalLaw::Type::pressure, 0.));
-  network.rest(0.);
+  network.start_at_rest(0.);
   network.advance(3., 0.9);
   check::relative("friction of Poiseuille", network.vessel(0).values(0.).pressure,
                   8. * law.viscosity * 0.2 * flow / (FlowLaw::pi * std::pow(radius, 4.)), 1e-3);
@@ -340,9 +340,9 @@ UNIT_TEST(vessel)
   description.n_cells = 20;
   Network network = one_vessel<SquareRootWall>(
       description, inviscid(),
-      [](double) { return SquareRootWall(rest_area, 0., density * rest_speed * rest_speed); },
+      [](double) { return SquareRootWall(start_area, 0., density * start_speed * start_speed); },
       terminal(TerminalLaw::Type::flow_rate, -4e-4), terminal(TerminalLaw::Type::flow_rate, -4e-4));
-  network.rest(0.);
+  network.start_at_rest(0.);
   check::throws<StepFailure>(
       "a flow that closes the tube", [&]() { network.advance(1., 0.8); },
       "at 0\\.[0-9]+ s.* the vessel 'tube'");

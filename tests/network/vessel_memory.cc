@@ -97,7 +97,7 @@ Network network_of(const Case &of)
     edges.push_back({vessel(length, of.n_cells), 0, 1});
   terminals.push_back(out);
   Network network(std::move(edges), terminals);
-  network.rest(0.);
+  network.start_at_rest(0.);
   return network;
 }
 
@@ -223,7 +223,7 @@ void check_steady_state(const double velocity)
   std::vector<Network::Edge> edges;
   edges.push_back({std::move(vessel), 0, 1});
   Network network(std::move(edges), {in, out});
-  network.rest(4000.);
+  network.start_at_rest(4000.);
   network.vessel(0).set(areas, flows);
   network.advance(0.5, 0.8);
   double of_area = 0., of_flow = 0.;

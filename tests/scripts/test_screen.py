@@ -1,4 +1,4 @@
-"""drivers/screen.py: round-off may decide how many corrections a search for a state at rest needs, and nothing else."""
+"""drivers/screen.py: round-off may decide how many corrections a search for a steady state needs, and nothing else."""
 
 import os
 import subprocess

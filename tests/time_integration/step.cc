@@ -29,12 +29,12 @@ struct Mode
     const double past = c.old * d + c.older * d_older + c.velocity_old * u;
     const double square = theta * theta;
     // a0 U + a1 U_old + a2 U_older + theta^2 D = 0
-    const double balanced =
+    const double at_level =
         -(step.a1 * u + step.a2 * u_older + square * past) / (step.a0 + square * c.velocity);
-    const double d_balanced = past + c.velocity * balanced;
+    const double d_balanced = past + c.velocity * at_level;
     u_older = u;
     d_older = d;
-    u = step.extrapolate ? 2. * balanced - u : balanced;
+    u = step.extrapolate ? 2. * at_level - u : at_level;
     d = step.extrapolate ? 2. * d_balanced - d : d_balanced;
   }
   double amplitude() const { return std::hypot(u, theta * d); }

@@ -51,7 +51,7 @@ private:
   void solve_refined_range();
   void refine();
   /// Values of the probes at each of the frequencies, which are known then. Throws Interrupted.
-  std::vector<std::vector<Complex>> solve_further(const std::vector<double> &frequencies);
+  std::vector<std::vector<Complex>> solve_at_frequencies(const std::vector<double> &frequencies);
   /// In increasing order.
   void record_known();
   void write_interpolated() const;

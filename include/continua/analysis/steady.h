@@ -13,9 +13,9 @@ namespace Continua
 {
 /**
  * The state at rest under the loads at t = 0: one solve for a body that is all solid (static) or
- * all fluid (Stokes); a mixture steps to rest with backward Euler. With refinement cycles the mesh
- * is refined by the traction jump and solved again; refinement.csv has a row for each cycle. Where
- * the loads come in steps, load-steps.csv has the probes over them.
+ * all fluid (Stokes); a mixture steps to a steady state with backward Euler. With refinement cycles
+ * the mesh is refined by the traction jump and solved again; refinement.csv has a row for each
+ * cycle. Where the loads come in steps, load-steps.csv has the probes over them.
  */
 template <int dim>
 class Steady

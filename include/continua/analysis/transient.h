@@ -52,7 +52,7 @@ private:
   bool at_end() const { return time_control.at_end() || beats.ends_run(); }
   void start();
   /// Finds the steady state that the file asks for at t = 0, under the loads there or their mean.
-  void start_from_rest_under_loads();
+  void start_steady_under_loads();
   /// Changes the mesh before the first step, as often as the file asks.
   void adapt_before_start();
   /// Which boundaries begin with a value that a body at rest meets as a jump.

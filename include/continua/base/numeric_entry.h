@@ -32,7 +32,7 @@ public:
   std::string unit() const { return form.dimension.unit(); } ///< SI; "1" if there is none
   const Dimension &dimension() const { return form.dimension; }
   const Range &range() const { return form.range; } ///< that the file accepts [unit()]
-  bool is_whole() const { return form.is_whole; }
+  bool is_integer() const { return form.is_integer; }
   bool is_in_list() const { return form.is_list; }
   /// In the file, or the default [unit()]; NaN where there is none.
   double value() const { return is_in_list() ? numbers[place] : numbers.front(); }

@@ -9,8 +9,8 @@ namespace Continua
 /// What numbers an entry of a parameter file holds.
 struct NumericForm
 {
-  bool is_list = false;  ///< several numbers, separated by commas
-  bool is_whole = false; ///< whole numbers, without a unit
+  bool is_list = false;    ///< several numbers, separated by commas
+  bool is_integer = false; ///< whole numbers, without a unit
   Dimension dimension;
   Range range; ///< that each number has [SI]
 };

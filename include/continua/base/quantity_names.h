@@ -45,16 +45,16 @@ public:
   /// Throws InputError, as said of the entry `key` of `section`, for the first of `asked` ("PROBE:
   /// NAME", or "NAME" of whatever probe) that has no name here. A position in it may have any unit
   /// and is brought into the form that the name has ("stations 43 mm" is "stations 0.043 m").
-  void refuse_others(const ParameterSection &section,
-                     const std::string &key,
-                     std::vector<std::string> &asked) const;
+  void refuse_unknown(const ParameterSection &section,
+                      const std::string &key,
+                      std::vector<std::string> &asked) const;
   /// The same for `expected`, the lines of `section`.
-  void refuse_others(const ParameterSection &section, std::vector<ExpectedValue> &expected) const;
+  void refuse_unknown(const ParameterSection &section, std::vector<ExpectedValue> &expected) const;
   /// The same for the section Expected of `file`, by ImpossibleQuantity. A line that the command
   /// line made impossible is marked as not compared instead.
-  void refuse_others(ParameterFile &file,
-                     const ParameterSection &section,
-                     std::vector<ExpectedValue> &expected) const;
+  void refuse_unknown(ParameterFile &file,
+                      const ParameterSection &section,
+                      std::vector<ExpectedValue> &expected) const;
 
 private:
   std::set<std::pair<std::string, std::string>> names; ///< probe, name

@@ -46,7 +46,8 @@ struct Outlet
   std::shared_ptr<const NetworkParameters> network;
   std::vector<double> fractions; ///< by port of a network: of the section that the mesh has [1]
   /// Whether it answers to what the flow rates differ by from those at the start of the run. A
-  /// search for rest before that has the pressure behind it at the first port, whatever flows.
+  /// search for a steady state before that has the pressure behind it at the first port, whatever
+  /// flows.
   bool counts_from_start = false;
 
   /// Z(s) [Pa s/m^3], as exactly as it is known. Throws RunError where there is none.

@@ -15,7 +15,7 @@ struct Case;
 enum class Motion
 {
   in_time,   ///< it moves from its initial state until an end time: section Time
-  at_rest,   ///< it has come to rest under its loads: section Steady
+  steady,    ///< it has come to rest under its loads: section Steady
   vibrating, ///< it vibrates freely: section Modal
   harmonic   ///< it moves with exp(s t) under loads that do: sections of the analysis
 };
@@ -36,11 +36,11 @@ struct AnalysisTraits
   void (*name_quantities)(const Case<dim> &input, QuantityNames &names) = nullptr;
   /// Adds the names that another analysis of the same file can state, and this one cannot: what
   /// Expected says of them is left out. Null: there are none.
-  void (*name_others)(const Case<dim> &input, QuantityNames &names) = nullptr;
+  void (*name_quantities_of_others)(const Case<dim> &input, QuantityNames &names) = nullptr;
 
   /// Whether fields are computed step by step.
   bool is_transient() const { return motion == Motion::in_time && has_fields; }
-  bool is_steady() const { return motion == Motion::at_rest; }
+  bool is_steady() const { return motion == Motion::steady; }
   bool is_modal() const { return motion == Motion::vibrating; }
   bool is_harmonic() const { return motion == Motion::harmonic; }
 };

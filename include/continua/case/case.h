@@ -64,7 +64,7 @@ enum class CaseUse
 };
 
 /// How a body is brought to rest.
-struct RestParameters
+struct SteadyParameters
 {
   double time_step = 1.;        ///< [s]
   bool finds_first_step = true; ///< nobody has given the time step: the first may be any fraction
@@ -119,13 +119,13 @@ struct Case
   AdaptationParameters adaptation;
   DiscretisationParameters discretisation;
   TimeParameters time;
-  RestParameters rest;
+  SteadyParameters steady;
   PeriodicStateParameters periodic_state; ///< of a run in time
   WaveTheoryParameters wave_theory;
   OutputParameters output;
   std::vector<ExpectedValue> expected;
   /// The lines of Expected that another analysis of the file can have, and this one cannot.
-  std::vector<std::string> expected_of_others;
+  std::vector<std::string> expected_of_other_analyses;
   /// Columns of the probes, whose values of all steps are kept; known when the probes are checked.
   unsigned int n_histories = 0;
   QuantityNames quantities; ///< that the analysis can state

@@ -1,11 +1,11 @@
 #ifndef continua_continuum_boundary_pressures_h
 #define continua_continuum_boundary_pressures_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/cavity_state.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/step_solution.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -48,12 +48,12 @@ public:
   /// The mesh has changed; the pressures stay. After the operators' setup().
   void build();
 
-  /// Takes what is given at the step: that at its balance time, on the way to rest as far from the
-  /// undeformed volumes, or from no flow, as the share of the loads says. Throws RunError if a
-  /// volume is not positive or a flow rate is no number.
+  /// Takes what is given at the step: that at its balance time, on the way to a steady state as far
+  /// from the undeformed volumes, or from no flow, as the share of the loads says. Throws RunError
+  /// if a volume is not positive or a flow rate is no number.
   void begin_step(const Step &step);
   /// Takes volumes, flow rates and derivatives at an iterate.
-  void measure(const BalancedStep &balanced);
+  void measure(const StepSolution &solution);
   /// The largest difference of a volume from the one given, over the latter, at that iterate; of a
   /// flow rate over the largest one so far [1].
   double residual() const;
@@ -76,7 +76,7 @@ public:
   /// The pressures [Pa], by boundary.
   std::vector<double> pressures() const;
   /// Takes those that a step has found.
-  void finish_step(const BalancedStep &balanced);
+  void finish_step(const StepSolution &solution);
   /// The present pressures, and the volumes at a displacement.
   const std::vector<CavityState> &states(const DistributedVector &displacement);
   /// The same, as they were taken last.
@@ -91,7 +91,7 @@ private:
   struct Row
   {
     int cavity = -1;               ///< its number among the cavities, -1 of a flow rate
-    double rest_volume = 0.;       ///< in the mesh [m^3]
+    double undeformed_volume = 0.; ///< in the mesh [m^3]
     double given = 0., value = 0.; ///< volume [m^3], or flow rate into the body [m^3/s]
     double size = 0.;              ///< with which a flow rate is compared [m^3/s]
     /// Of the volume by the displacement, of a flow rate by the velocity [m^2].

@@ -123,7 +123,7 @@ struct StepReport
   double largest_change = 0.; ///< [m/s], largest component of its change in the step
   /// Of a static step: the largest part of what a region has by which the step has changed it [1],
   /// of a solid's displacement and of the forces of a liquid's velocity.
-  double change_at_rest = 0.;
+  double steady_change = 0.;
   /// Of a solver that corrects its solution in a loop: how often it did so, else 0.
   unsigned int corrections = 0;
   double residual = 0.;     ///< [1] with which the loop ended, in its own scale
@@ -207,7 +207,7 @@ public:
   /// One solve without time for a body that is all solid (displacement) or all fluid (velocity),
   /// loads taken at `time`.
   virtual void solve_steady(double time) = 0;
-  /// Whether solve_steady applies, or the mixture has to be stepped to rest.
+  /// Whether solve_steady applies, or the mixture has to be stepped to a steady state.
   virtual bool steady_is_direct() const = 0;
   /// The free vibrations of a body that is all solid and does not relax; null if the discretisation
   /// has none. The solver must outlive it.

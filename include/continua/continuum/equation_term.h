@@ -1,12 +1,12 @@
 #ifndef continua_continuum_equation_term_h
 #define continua_continuum_equation_term_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/bulk_history.h>
 #include <continua/continuum/level_products.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
+#include <continua/continuum/step_solution.h>
 
 #include <functional>
 #include <memory>
@@ -30,7 +30,10 @@ struct TermContext
   NonlinearEnergy nonlinear_energy = {};
 
   /// Whether the powers of a region are the nonlinear ones alone, without products with matrices.
-  bool is_whole(const unsigned int region) const { return operators.has_whole_terms_in(region); }
+  bool has_all_terms_in(const unsigned int region) const
+  {
+    return operators.has_all_terms_in(region);
+  }
   /// Whether products of the state's levels are those of the region.
   bool has_products(const unsigned int region) const
   {
@@ -46,7 +49,7 @@ struct TermContext
 /// A step that is over: what it has balanced, and the velocities at its ends [m/s].
 struct FinishedStep
 {
-  const BalancedStep &balanced;
+  const StepSolution &solution;
   const DistributedVector &start, &end;
 };
 
@@ -65,7 +68,7 @@ public:
                        DistributedVector *forces) const = 0;
   /// The part of the power that relaxation turns into heat [W], at the cost of a product for each
   /// branch that relaxes.
-  virtual double relaxation_power(unsigned int, const BalancedStep &, TermContext &) const
+  virtual double relaxation_power(unsigned int, const StepSolution &, TermContext &) const
   {
     return 0.;
   }

@@ -69,13 +69,13 @@ template <int dim, typename Number = double>
 dealii::Tensor<2, 3, Number> whole_gradient(const dealii::Tensor<2, dim, Number> &gradient,
                                             const Number &hoop)
 {
-  dealii::Tensor<2, 3, Number> whole;
+  dealii::Tensor<2, 3, Number> result;
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int d = 0; d < dim; ++d)
-      whole[c][d] = gradient[c][d];
+      result[c][d] = gradient[c][d];
   if (dim == 2)
-    whole[2][2] = hoop;
-  return whole;
+    result[2][2] = hoop;
+  return result;
 }
 } // namespace Continua
 

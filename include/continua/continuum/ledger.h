@@ -55,7 +55,7 @@ private:
   const OutletCoupling &outlets;
   std::vector<std::unique_ptr<EquationTerm>> terms;
   TermContext context;
-  BalancedStep extrapolated; ///< with explicit convection: the state at the extrapolated velocity
+  StepSolution extrapolated; ///< with explicit convection: the state at the extrapolated velocity
   DistributedVector forces;
   std::map<unsigned int, DistributedVector> forces_of_regions; ///< that are wanted
   bool forces_are_wanted = false, forces_are_current = false;
@@ -64,7 +64,7 @@ private:
   /// Sets the context's nonlinear powers of a region, each kind at the level from which the step
   /// has taken it, and adds their forces [N] to `at_nodes` unless that is null.
   void set_nonlinear_powers(unsigned int region,
-                            const BalancedStep &balanced,
+                            const StepSolution &solution,
                             DistributedVector *at_nodes);
 };
 } // namespace Continua

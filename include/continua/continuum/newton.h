@@ -2,7 +2,6 @@
 #define continua_continuum_newton_h
 
 #include <continua/base/log.h>
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/boundary_pressures.h>
 #include <continua/continuum/linear_system.h>
 #include <continua/continuum/newton_input.h>
@@ -11,6 +10,7 @@
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/products_by_region.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/linear_algebra/block_krylov.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
@@ -60,10 +60,10 @@ public:
   /// The next iteration makes a factor. Where a run writes a checkpoint it goes on as a restart
   /// from it would.
   void forget_factor() { has_factor = false; }
-  /// In: in `balanced` the prescribed velocities, a first guess of velocity and pressures, and for
+  /// In: in `solution` the prescribed velocities, a first guess of velocity and pressures, and for
   /// the acceleration the part of it that the past gives. Out: what balances the step; the
   /// acceleration is as before. Throws StepFailure.
-  void solve(const NewtonInput &input, BalancedStep &balanced, StepReport &report);
+  void solve(const NewtonInput &input, StepSolution &solution, StepReport &report);
 
 private:
   const Problem &problem;
@@ -77,7 +77,7 @@ private:
   bool has_factor = false;
   bool factor_is_poor = false; ///< GMRES needed too many iterations with it
   DistributedVector velocity_change, pressure_change, zero_velocity;
-  BalancedStep at_rest; ///< the state at rest, at which explicit convection has its tangent
+  StepSolution zero_state; ///< the state at rest, at which explicit convection has its tangent
   // Of the present step:
   unsigned int krylov_iterations = 0; ///< of GMRES
   bool may_take_krylov = false, takes_krylov = false;
@@ -85,23 +85,23 @@ private:
   bool correction_is_exact = false; ///< the last one had the exact derivative
   bool is_explicit = false;         ///< convection is that of the first iterate
 
-  void begin_step(const NewtonInput &input, BalancedStep &balanced);
+  void begin_step(const NewtonInput &input, StepSolution &solution);
   /// Decides how an iterate is corrected, and makes a factor or keeps the derivative for it.
-  void prepare_correction(const BalancedStep &balanced,
+  void prepare_correction(const StepSolution &solution,
                           bool is_slow,
                           unsigned int iteration,
                           StepReport &report);
   /// Makes the factor of the tangent at an iterate, and finds what outlets and cavities do with it.
-  void make_factor(const BalancedStep &balanced, unsigned int iteration, StepReport &report);
+  void make_factor(const StepSolution &solution, unsigned int iteration, StepReport &report);
   /// Corrects an iterate. `scales`: sizes of the residuals.
   void correct(const NewtonInput &input,
-               BalancedStep &balanced,
+               StepSolution &solution,
                const ResidualScales &scales,
                StepReport &report);
   /// Sets changes of velocity and pressure by GMRES; the right sides are restricted. `scales`:
   /// sizes in which it measures the residuals. Says whether it has reached its tolerance.
   bool solve_by_krylov(const NewtonInput &input,
-                       const BalancedStep &balanced,
+                       const StepSolution &solution,
                        const ResidualScales &scales,
                        DistributedVector &momentum_rows,
                        DistributedVector &mass_rows,
@@ -118,7 +118,7 @@ private:
   /// Sets the correction of an iterate from its residuals, and what cavities need for theirs. Says
   /// whether it has the exact derivative.
   bool correct_by_krylov(const NewtonInput &input,
-                         const BalancedStep &balanced,
+                         const StepSolution &solution,
                          const ResidualScales &scales,
                          StepReport &report);
 };

@@ -1,13 +1,13 @@
 #ifndef continua_continuum_newton_residual_h
 #define continua_continuum_newton_residual_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/linear_system.h>
 #include <continua/continuum/newton_input.h>
 #include <continua/continuum/nonlinear_system.h>
 #include <continua/continuum/outlet_coupling.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/products_by_region.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/continuum/system_coefficients.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
@@ -53,13 +53,13 @@ public:
   /// That part.
   const DistributedVector &acceleration_of_past() const { return past_acceleration; }
   /// dU/dt and dp/dt of the iterate, and in finite deformation its displacement. Collective.
-  void set_rates(const NewtonInput &input, BalancedStep &balanced) const;
+  void set_rates(const NewtonInput &input, StepSolution &solution) const;
 
   /// Sets the residuals, those without the forces of the ports and those with them, and returns the
   /// norms of the latter. `is_explicit`: the terms are those of the step's first iterate, and the
   /// kept derivative times the way from there. Collective.
   ResidualNorms
-  set(const NewtonInput &input, const BalancedStep &balanced, bool is_explicit = false);
+  set(const NewtonInput &input, const StepSolution &solution, bool is_explicit = false);
   /// What the residual of volume of the last set() leaves in a step, of the volume of each
   /// pressure: the largest part [1]. Collective.
   double lost_volume(const Step &step) const;
@@ -67,7 +67,7 @@ public:
   /// The rows' derivative in the direction of changes of velocity and pressure, restricted; changes
   /// the residuals with the forces of the ports. Collective.
   void set_derivative_product(const NewtonInput &input,
-                              const BalancedStep &balanced,
+                              const StepSolution &solution,
                               const DistributedVector &of_velocity,
                               const DistributedVector &of_pressure,
                               DistributedVector &momentum_rows,
@@ -89,14 +89,14 @@ private:
   LinearSystem &system;
   const ProductsByRegion &products;
   OutletCoupling &outlets;
-  BalancedStep shifted; ///< for differences
+  StepSolution shifted; ///< for differences
   DistributedVector past_acceleration;
   DistributedVector mesh_change; ///< by which differences shift the mesh [m]
   DistributedVector volumes;     ///< of each pressure [m^3]
   // Of a step with explicit convection: its first iterate, the terms there, and the way from there.
   bool has_first = false;
   DistributedVector first_velocity, first_pressure, first_momentum, first_mass;
-  DistributedVector velocity_way, pressure_way;
+  DistributedVector velocity_from_start, pressure_from_start;
 
   /// Takes A U + G p and B U + C p from the rows; raises the scales to the largest entries.
   void subtract_linear_terms(const SystemCoefficients &coefficients,
@@ -106,9 +106,9 @@ private:
                              DistributedVector &mass_rows,
                              ResidualScales &scales);
   /// Sets momentum_work and mass_work to the terms of an explicit step.
-  void set_explicit_terms(const BalancedStep &balanced);
+  void set_explicit_terms(const StepSolution &solution);
   /// The part of the terms that are not linear, by differences.
-  void add_differences(const BalancedStep &balanced,
+  void add_differences(const StepSolution &solution,
                        const DistributedVector &of_velocity,
                        const DistributedVector &of_pressure,
                        DistributedVector &momentum_rows,

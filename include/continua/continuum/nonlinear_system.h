@@ -1,9 +1,9 @@
 #ifndef continua_continuum_nonlinear_system_h
 #define continua_continuum_nonlinear_system_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/state.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 #include <string>
@@ -32,22 +32,22 @@ public:
   /// Whether these are all terms of their regions but for supports and loads, so that
   /// ProductsByRegion and LinearSystem have nothing of such a region in a step. Else they are
   /// corrections of these products.
-  virtual bool has_whole_terms() const { return false; }
+  virtual bool has_all_terms() const { return false; }
 
   // The mesh that moves with the iterate.
   /// Sets the displacement and the velocity of the mesh from the displacement of the solids at that
   /// level.
-  virtual void move_mesh(BalancedStep &) {}
+  virtual void move_mesh(StepSolution &) {}
   /// Sets the change of that displacement [m] by a change of velocity [m/s], with that of the
   /// displacement of solids which follows in a step.
   virtual void set_mesh_change(const Step &, const DistributedVector &, DistributedVector &) {}
   /// Throws StepFailure where that displacement turns the mesh inside out.
-  virtual void check_mesh(const BalancedStep &) {}
+  virtual void check_mesh(const StepSolution &) {}
 
   // The residual.
   /// Adds the terms at the level of the step to the rows.
   virtual void
-  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &mass) = 0;
+  add(const StepSolution &state, DistributedVector &momentum, DistributedVector &mass) = 0;
   virtual ResidualScales residual_scales(const DistributedVector &velocity,
                                          const DistributedVector &pressure) const = 0;
   /// Where the largest entry of restricted residuals is, or the first one that is no number, for a
@@ -59,7 +59,7 @@ public:
   // The tangent.
   /// Makes the LinearSystem the tangent at this state. Whether it had to make a factor or a
   /// preconditioner. Throws RunError.
-  virtual bool linearise(const BalancedStep &state) = 0;
+  virtual bool linearise(const StepSolution &state) = 0;
   /// Whether solves multiply with the derivative that keep_derivative() was given last, so that
   /// each iterate can have its own at little cost.
   virtual bool solves_with_kept_derivative() const { return false; }
@@ -69,7 +69,7 @@ public:
   /// Whether there are products with the derivative of the terms, for GMRES of a slow iteration.
   virtual bool has_derivative_products() const { return false; }
   /// Keeps the derivative of the terms at this state, beside the LinearSystem.
-  virtual void keep_derivative(const BalancedStep &) {}
+  virtual void keep_derivative(const StepSolution &) {}
   /// Adds the kept derivative's product with changes of velocity [m/s] and pressure [Pa] to the
   /// rows; the rates follow as the step has them. The velocity is 0 where it is prescribed.
   virtual void add_derivative_product(const DistributedVector & /*velocity*/,
@@ -83,7 +83,7 @@ public:
   /// Of the terms of one region: adds the powers that their forces have with a velocity, and adds
   /// the forces to rows of momentum unless `momentum` is null.
   virtual void add_powers(unsigned int region,
-                          const BalancedStep &state,
+                          const StepSolution &state,
                           const DistributedVector &of_velocity,
                           TermsTaken taken,
                           NonlinearPowers &powers,

@@ -1,7 +1,6 @@
 #ifndef continua_continuum_operators_h
 #define continua_continuum_operators_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/cavities.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/linear_system.h>
@@ -13,6 +12,7 @@
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_archive.h>
 #include <continua/continuum/state_vectors.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/continuum/step_variant.h>
 #include <continua/continuum/wall_shear.h>
 #include <continua/linear_algebra/distributed_vector.h>
@@ -66,9 +66,9 @@ public:
   }
   /// Whether system() and products() have nothing of a region in a step: all its terms but supports
   /// and loads are those of nonlinear().
-  bool has_whole_terms_in(const unsigned int region)
+  bool has_all_terms_in(const unsigned int region)
   {
-    return is_nonlinear_in(region) && nonlinear()->has_whole_terms();
+    return is_nonlinear_in(region) && nonlinear()->has_all_terms();
   }
 
   // Vectors.
@@ -101,7 +101,7 @@ public:
   /// A step begins, as StepVariant::adapted() has made it, from this state. Throws StepFailure.
   virtual void begin_step(const Step &, const State & /*start*/) {}
   /// A step has ended, whose equations held for what is balanced.
-  virtual void finish_step(const BalancedStep &, const State &) {}
+  virtual void finish_step(const StepSolution &, const State &) {}
   /// The state was read from a checkpoint.
   virtual void finish_load() {}
   /// See WallPotentials; null where the directions of walls do not need them.

@@ -1,11 +1,11 @@
 #ifndef continua_continuum_outlet_coupling_h
 #define continua_continuum_outlet_coupling_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/end_model.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/power_balance.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/step_solution.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -68,7 +68,7 @@ public:
   void predict(const Step &step, const DistributedVector &velocity_old);
   /// Of a mesh that moves: takes the ports' sections, flow rates and pressures at an iterate of a
   /// step. Collective.
-  void measure(const BalancedStep &iterate);
+  void measure(const StepSolution &iterate);
   // Of a mesh that moves.
   /// Sets the velocities of the ports that hold the flow rate to those of the last flow rates.
   void set_port_velocities(DistributedVector &velocity) const;
@@ -98,7 +98,7 @@ public:
   /// Moves the states on to the end of the step, by the flow rates of the last couple().
   void finish_step(const Step &step);
   /// The run begins from a state at rest that was searched for: the mesh stays there.
-  void start_from_rest();
+  void start_steady();
   /// Completes a steady flow, with Z(0). Throws RunError if an outlet lets no steady flow pass.
   void couple_steady(double time, DistributedVector &velocity, DistributedVector &pressure);
 

@@ -15,8 +15,8 @@ namespace Continua
  * The zero-dimensional model behind the ports of one outlet: flow rates Q in [m^3/s], pressures p
  * out [Pa]. In a step it is linear, p = predicted + Z Q at the balanced level, with Z = direct +
  * sum_k residue_k (velocity coefficient of x_k) and first-order responses dx_k/dt = Q - rate_k x_k
- * [m^3], one number a port. On the way to rest a term stands as in a steady flow, x_k = Q/rate_k,
- * unless its x_k at t = 0 is given: a charge that is given stays.
+ * [m^3], one number a port. On the way to a steady state a term stands as in a steady flow, x_k =
+ * Q/rate_k, unless its x_k at t = 0 is given: a charge that is given stays.
  */
 class OutletModel : public EndModel
 {
@@ -60,7 +60,7 @@ private:
   /// One first-order response x_k, by port [m^3].
   struct Response
   {
-    dealii::Vector<double> present, older, balanced;
+    dealii::Vector<double> present, older, at_level;
     dealii::Vector<double> rate; ///< dx_k/dt as the step has it [m^3/s]
   };
   const Outlet &outlet;

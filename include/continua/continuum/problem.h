@@ -35,7 +35,7 @@ struct InteriorData
   std::vector<Expression> initial_pressure;     ///< [Pa] one for each region; empty is none
   /// Whether a run in time starts from a state at rest under its loads: those at t = 0, or their
   /// mean over a period.
-  bool starts_at_rest_under_loads = false, starts_under_mean_loads = false;
+  bool starts_steady_under_loads = false, starts_under_mean_loads = false;
 
   /// Reads the sections `Body force` and `Initial state`. Throws InputError.
   void read(ParameterSection body_force_section,

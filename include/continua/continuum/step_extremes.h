@@ -12,11 +12,11 @@
 namespace Continua
 {
 /// Sets the report's largest velocity, and its largest change from the step's start, of a step that
-/// is solved but not finished: `balanced` and `pressure` are its solution. Throws RunError if that
+/// is solved but not finished: `at_level` and `pressure` are its solution. Throws RunError if that
 /// is not finite. Collective.
 void set_extremes(const Step &step,
                   const DistributedVector &start,
-                  const DistributedVector &balanced,
+                  const DistributedVector &at_level,
                   const DistributedVector &pressure,
                   StepReport &report);
 

@@ -1,10 +1,10 @@
 #ifndef continua_continuum_step_variant_h
 #define continua_continuum_step_variant_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/products_by_region.h>
 #include <continua/continuum/state.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
 namespace Continua
@@ -71,7 +71,7 @@ public:
   virtual void make_displacement_step(const Step & /*step*/,
                                       const DistributedVector & /*velocity*/,
                                       DistributedVector & /*displacement*/,
-                                      BalancedStep & /*balanced*/,
+                                      StepSolution & /*balanced*/,
                                       StepReport & /*report*/)
   {
   }
@@ -79,7 +79,7 @@ public:
   // What the ledger reports.
   /// The force of the branches' stress; `mixture` is changed.
   virtual void set_reported_stress_force(const unsigned int region,
-                                         const BalancedStep & /*step*/,
+                                         const StepSolution & /*step*/,
                                          DistributedVector &mixture,
                                          DistributedVector &force)
   {

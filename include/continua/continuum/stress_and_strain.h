@@ -2,7 +2,7 @@
 #define continua_continuum_stress_and_strain_h
 
 #include <continua/continuum/kinematics.h>
-#include <continua/continuum/rest_state.h>
+#include <continua/continuum/stress_free_state.h>
 #include <continua/materials/flow_curve.h>
 #include <continua/materials/material.h>
 #include <continua/materials/model.h>
@@ -68,7 +68,7 @@ double q_criterion(const dealii::Tensor<2, dim> &velocity_gradient, double hoop,
 /// displacement [1] and velocity [1/s] by the reference place and from the pressure [Pa]; `metric`:
 /// sum_k mu_k A_k of the branches that relax, 0 if there are none [Pa] (internal_metric.h).
 std::array<double, 6> finite_stress(const Material &material,
-                                    const RestState &rest,
+                                    const StressFreeState &stress_free,
                                     const Kinematics &kinematics,
                                     const dealii::Tensor<2, 3> &velocity_gradient,
                                     double pressure,

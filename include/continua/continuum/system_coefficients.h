@@ -19,9 +19,9 @@ struct SystemCoefficients
   /// Regions whose terms are not linear: of them the system has nothing but the supports, not even
   /// B. Empty: there is none.
   std::vector<bool> left_out = {};
-  /// Of equations of rest, whose coefficients are so far apart that a direct solve needs a step of
+  /// Of steady equations, whose coefficients are so far apart that a direct solve needs a step of
   /// refinement.
-  bool is_of_rest = false;
+  bool finds_steady_state = false;
 
   /// But for round-off: time steps of one size are not equal to the last bit.
   bool operator==(const SystemCoefficients &other) const;

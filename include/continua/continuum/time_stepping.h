@@ -62,7 +62,7 @@ public:
   /// Of the last step at the time at which it balances, or of the steady solution; see Ledger.
   const DistributedVector &forces_at_nodes(const std::optional<unsigned int> region)
   {
-    return ledger.forces_at_nodes({balanced, velocity_older, velocity}, region);
+    return ledger.forces_at_nodes({solution, velocity_older, velocity}, region);
   }
 
   /// Call when cells are flagged and before the triangulation changes, and after.
@@ -103,7 +103,7 @@ private:
   DistributedVector velocity, velocity_older, pressure, pressure_older;
   double present_time = 0.;
   std::vector<DistributedVector> mixtures; ///< by region, of a harmonic motion alone
-  BalancedStep balanced;                   ///< by the last step
+  StepSolution solution;                   ///< by the last step
   DistributedVector prescribed;            ///< velocities, constants set once [m/s]
   // The last pressure known at a time of its own, from which that of an incompressible material is
   // extrapolated.
@@ -115,7 +115,7 @@ private:
   std::set<double> exponential_branches_reported;
   // Work space of the step.
   /// Of the step before, and what of them linear products have.
-  SystemCoefficients whole_coefficients, coefficients;
+  SystemCoefficients equation_coefficients, coefficients;
   DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work;
 
   KeptState kept;
@@ -140,15 +140,18 @@ private:
   /// Of the velocity nodes of this rank: whether a solid has them.
   std::vector<bool> nodes_of_solids() const;
   void report_exponential_branches(const Step &step);
-  /// StepReport::change_at_rest of a step that is solved and not finished.
-  double change_at_rest(const Step &step);
+  /// StepReport::steady_change of a step that is solved and not finished.
+  double steady_change(const Step &step);
   /// Solves the equations of a step at its balanced level.
   void balance(const Step &step, StepReport &report);
   /// The same by Newton's iteration, of the right-hand sides that are set.
   void iterate(const Step &step, bool system_is_new, StepReport &report);
   /// Whether the linear system and the right-hand sides have nothing of a region but its supports
   /// and loads.
-  bool is_whole(const unsigned int region) const { return operators.has_whole_terms_in(region); }
+  bool has_all_terms_in(const unsigned int region) const
+  {
+    return operators.has_all_terms_in(region);
+  }
   /// Sets balanced.velocity to the velocity at the level that a step balances, extrapolated from
   /// the last two levels.
   void extrapolate_velocity(const Step &step);

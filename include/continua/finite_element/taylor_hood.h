@@ -100,7 +100,7 @@ public:
   }
   void start_from(const State &state) override;
   void begin_step(const Step &step, const State &start) override;
-  void finish_step(const BalancedStep &balanced, const State &state) override;
+  void finish_step(const StepSolution &solution, const State &state) override;
 
   const dealii::Mapping<dim> &mapping() const override { return space.mapping; }
   FieldProbes<dim> &probes() override { return evaluation; }

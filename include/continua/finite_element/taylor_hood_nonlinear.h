@@ -28,15 +28,15 @@ public:
                       MovingMesh<dim> *moving_mesh);
 
   bool is_in(unsigned int region) const override;
-  bool has_whole_terms() const override { return true; }
+  bool has_all_terms() const override { return true; }
 
-  void move_mesh(BalancedStep &state) override;
+  void move_mesh(StepSolution &state) override;
   void set_mesh_change(const Step &step,
                        const DistributedVector &of_velocity,
                        DistributedVector &of_mesh_displacement) override;
-  void check_mesh(const BalancedStep &state) override;
+  void check_mesh(const StepSolution &state) override;
 
-  void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &mass) override
+  void add(const StepSolution &state, DistributedVector &momentum, DistributedVector &mass) override
   {
     terms.add(state, momentum, mass);
   }
@@ -46,11 +46,11 @@ public:
                                const DistributedVector &mass,
                                bool of_momentum) const override;
 
-  bool linearise(const BalancedStep &state) override { return systems.linearise(state); }
+  bool linearise(const StepSolution &state) override { return systems.linearise(state); }
   bool solves_with_kept_derivative() const override { return systems.has_iterative_tangent(); }
   void forget_linearisation() override;
   bool has_derivative_products() const override { return !systems.has_iterative_tangent(); }
-  void keep_derivative(const BalancedStep &state) override { systems.keep_derivative(state); }
+  void keep_derivative(const StepSolution &state) override { systems.keep_derivative(state); }
   void add_derivative_product(const DistributedVector &velocity,
                               const DistributedVector &pressure,
                               DistributedVector &momentum,
@@ -60,7 +60,7 @@ public:
   }
 
   void add_powers(const unsigned int region,
-                  const BalancedStep &state,
+                  const StepSolution &state,
                   const DistributedVector &of_velocity,
                   const TermsTaken taken,
                   NonlinearPowers &powers,

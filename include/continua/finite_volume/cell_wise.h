@@ -4,19 +4,19 @@
 #include <continua/base/log.h>
 #include <continua/continuum/discretisation.h>
 #include <continua/continuum/problem.h>
-#include <continua/finite_volume/cell_convection.h>
-#include <continua/finite_volume/cell_evaluation.h>
-#include <continua/finite_volume/cell_linear_system.h>
-#include <continua/finite_volume/cell_loads.h>
-#include <continua/finite_volume/cell_motion.h>
-#include <continua/finite_volume/cell_nonlinear.h>
-#include <continua/finite_volume/cell_output.h>
-#include <continua/finite_volume/cell_ports.h>
-#include <continua/finite_volume/cell_prescribed.h>
-#include <continua/finite_volume/cell_products.h>
-#include <continua/finite_volume/cell_step_variant.h>
-#include <continua/finite_volume/cell_system.h>
-#include <continua/finite_volume/cell_transfer.h>
+#include <continua/finite_volume/cell_wise_convection.h>
+#include <continua/finite_volume/cell_wise_evaluation.h>
+#include <continua/finite_volume/cell_wise_linear_system.h>
+#include <continua/finite_volume/cell_wise_loads.h>
+#include <continua/finite_volume/cell_wise_motion.h>
+#include <continua/finite_volume/cell_wise_nonlinear.h>
+#include <continua/finite_volume/cell_wise_output.h>
+#include <continua/finite_volume/cell_wise_ports.h>
+#include <continua/finite_volume/cell_wise_prescribed.h>
+#include <continua/finite_volume/cell_wise_products.h>
+#include <continua/finite_volume/cell_wise_step_variant.h>
+#include <continua/finite_volume/cell_wise_system.h>
+#include <continua/finite_volume/cell_wise_transfer.h>
 #include <continua/finite_volume/excess_velocity.h>
 #include <continua/finite_volume/vertex_motion.h>
 
@@ -30,7 +30,7 @@ namespace Continua
  * The cell-wise discretisation, which emulates the thesis's finite volumes (its chapter 3) on the
  * meshes of deal.II. It puts tested parts together: space, operators by region, conditions on
  * faces, loads, the equations of a step and the way they are solved; see the chapter on the
- * cell-wise path in the manual. CellStepVariant has what it does in a step in its own way.
+ * cell-wise path in the manual. CellWiseStepVariant has what it does in a step in its own way.
  */
 template <int dim>
 class CellWise : public Discretisation<dim>
@@ -74,7 +74,7 @@ public:
   void visit(StateVisitor &visitor) override;
   /// Moves the mesh to where it is at the end of the step.
   void begin_step(const Step &step, const State &start) override;
-  void finish_step(const BalancedStep &balanced, const State &state) override;
+  void finish_step(const StepSolution &solution, const State &state) override;
   void start_from(const State &state) override;
   void finish_load() override;
 
@@ -101,25 +101,25 @@ private:
   const Problem &problem;
   const CellWiseParameters parameters;
   Log &log;
-  CellSpace<dim> space;
+  CellWiseSpace<dim> space;
   FaceConditions<dim> conditions;
-  CellLoads<dim> load_list;
-  std::vector<CellOperators> operators;
+  CellWiseLoads<dim> load_list;
+  std::vector<CellWiseOperators> operators;
   PressureClosure closure;
-  CellSystem<dim> equations;
-  CellProducts<dim> cell_products;
-  CellLinearSystem<dim> linear_system;
-  CellEvaluation<dim> evaluation;
-  CellMotion<dim> motion;
-  CellOutput<dim> output;
-  CellTransfer<dim> cell_transfer;
+  CellWiseSystem<dim> equations;
+  CellWiseProducts<dim> cell_products;
+  CellWiseLinearSystem<dim> linear_system;
+  CellWiseEvaluation<dim> evaluation;
+  CellWiseMotion<dim> motion;
+  CellWiseOutput<dim> output;
+  CellWiseTransfer<dim> cell_transfer;
   ExcessVelocity<dim> excess_velocity;
   SweptVolumes<dim> swept_volumes;
-  CellConvection<dim> convection;
-  CellPrescribed<dim> cell_prescribed;
-  CellNonlinear<dim> nonlinear_system;
-  CellStepVariant<dim> step_variant;
-  CellPorts<dim> cell_ports;
+  CellWiseConvection<dim> convection;
+  CellWisePrescribed<dim> cell_prescribed;
+  CellWiseNonlinear<dim> nonlinear_system;
+  CellWiseStepVariant<dim> step_variant;
+  CellWisePorts<dim> cell_ports;
   std::unique_ptr<VertexMotion<dim>> vertex_motion; ///< null where the mesh stays
   std::vector<bool> is_liquid;                      ///< by material id
   DistributedVector mesh_displacement;              ///< of the vertices, for drawing [m]

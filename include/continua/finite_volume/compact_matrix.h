@@ -1,7 +1,7 @@
 #ifndef continua_finite_volume_compact_matrix_h
 #define continua_finite_volume_compact_matrix_h
 
-#include <continua/finite_volume/cell_mesh.h>
+#include <continua/finite_volume/cell_wise_mesh.h>
 #include <continua/finite_volume/split_equations.h>
 #include <continua/linear_algebra/symmetric_factor.h>
 
@@ -23,7 +23,7 @@ class CompactMatrix
 public:
   using Vector = typename SplitEquations<dim>::Vector;
 
-  explicit CompactMatrix(const CellMesh<dim> &mesh) : mesh(mesh) {}
+  explicit CompactMatrix(const CellWiseMesh<dim> &mesh) : mesh(mesh) {}
 
   /// Without couplings, and row sums of 0.
   void reinit(unsigned int first_entry, unsigned int n_components);
@@ -56,7 +56,7 @@ private:
     return place >= first && place < first + sums.size();
   }
 
-  const CellMesh<dim> &mesh;
+  const CellWiseMesh<dim> &mesh;
   unsigned int first = 0, components = 1;
   std::vector<double> sums;
   std::vector<Coupling> couplings;

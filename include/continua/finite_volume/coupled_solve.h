@@ -1,7 +1,7 @@
 #ifndef continua_finite_volume_coupled_solve_h
 #define continua_finite_volume_coupled_solve_h
 
-#include <continua/finite_volume/cell_system.h>
+#include <continua/finite_volume/cell_wise_system.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
 
 #include <memory>
@@ -13,10 +13,10 @@ namespace Continua
 /// Velocities and pressures of a step at once, by one factor of the whole matrix that is kept as
 /// long as the matrix is the same: the limit of the segregated loop.
 template <int dim>
-class CoupledSolve : public CellSolve<dim>
+class CoupledSolve : public CellWiseSolve<dim>
 {
 public:
-  explicit CoupledSolve(const CellSystem<dim> &system);
+  explicit CoupledSolve(const CellWiseSystem<dim> &system);
 
   void reinit() override;
   /// After a new factor the solution is checked once: RunError if a step of refinement changes its
@@ -31,7 +31,7 @@ public:
   std::string name() const override;
 
 private:
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   std::unique_ptr<UnsymmetricFactor> factor;
   std::vector<double> packed;
   bool is_checked = false;

@@ -1,9 +1,9 @@
 #ifndef continua_finite_volume_displacement_step_h
 #define continua_finite_volume_displacement_step_h
 
-#include <continua/continuum/balanced_step.h>
-#include <continua/finite_volume/cell_loads.h>
-#include <continua/finite_volume/cell_system.h>
+#include <continua/continuum/step_solution.h>
+#include <continua/finite_volume/cell_wise_loads.h>
+#include <continua/finite_volume/cell_wise_system.h>
 #include <continua/finite_volume/displacement_levels.h>
 
 namespace Continua
@@ -19,28 +19,28 @@ public:
   using Derivatives = DisplacementLevels::Derivatives;
 
   /// All must outlive it.
-  DisplacementStep(const CellSystem<dim> &system, const CellLoads<dim> &loads);
+  DisplacementStep(const CellWiseSystem<dim> &system, const CellWiseLoads<dim> &loads);
 
   /// The mesh has changed.
   void reinit();
-  CellCoefficients coefficients(const Derivatives &derivatives) const;
-  /// Makes the right-hand side; sets the acceleration and the prescribed velocities of `balanced`,
+  CellWiseCoefficients coefficients(const Derivatives &derivatives) const;
+  /// Makes the right-hand side; sets the acceleration and the prescribed velocities of `solution`,
   /// the acceleration as far as the levels before give it.
   void set_right_side(const Step &step,
                       const DisplacementLevels &levels,
                       const Derivatives &derivatives,
-                      BalancedStep &balanced);
+                      StepSolution &solution);
   /// Solves for the displacement, in which the solve starts from the present one; sets velocity and
   /// acceleration. Throws RunError.
-  void solve(CellSolve<dim> &cell_solve,
+  void solve(CellWiseSolve<dim> &cell_solve,
              const Derivatives &derivatives,
              DistributedVector &displacement,
-             BalancedStep &balanced,
+             StepSolution &solution,
              StepReport &report);
 
 private:
-  const CellSystem<dim> &system;
-  const CellLoads<dim> &loads;
+  const CellWiseSystem<dim> &system;
+  const CellWiseLoads<dim> &loads;
   DistributedVector momentum, known_velocity, work, mass;
 };
 } // namespace Continua

@@ -2,7 +2,7 @@
 #define continua_finite_volume_excess_velocity_h
 
 #include <continua/continuum/state_visitor.h>
-#include <continua/finite_volume/cell_system.h>
+#include <continua/finite_volume/cell_wise_system.h>
 #include <continua/finite_volume/linear_reconstruction.h>
 #include <continua/time_integration/step.h>
 
@@ -34,7 +34,8 @@ class ExcessVelocity
 {
 public:
   /// All must outlive it.
-  ExcessVelocity(const CellSystem<dim> &system, const LinearReconstruction<dim> &reconstruction);
+  ExcessVelocity(const CellWiseSystem<dim> &system,
+                 const LinearReconstruction<dim> &reconstruction);
 
   /// The mesh has changed; the vectors of the state keep what they have.
   void reinit();
@@ -71,7 +72,7 @@ private:
   };
   using Slots = std::array<DistributedVector, 2>; ///< lower and upper faces
 
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   const LinearReconstruction<dim> &reconstruction;
   bool some_region = false;
   std::vector<Face> faces;

@@ -32,7 +32,7 @@ public:
     bool from_definition = false; ///< whether its equation is one of state
   };
 
-  FaceBalance(const CellSystem<dim> &system,
+  FaceBalance(const CellWiseSystem<dim> &system,
               const SplitEquations<dim> &equations,
               const FaceLinks<dim> &links);
 
@@ -54,7 +54,7 @@ private:
     std::array<double, static_cast<std::size_t>(dim + 1) * (dim + 1)> inverse = {};
   };
 
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   const SplitEquations<dim> &equations;
   const FaceLinks<dim> &links;
   std::vector<Block> blocks;

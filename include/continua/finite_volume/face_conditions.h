@@ -2,7 +2,7 @@
 #define continua_finite_volume_face_conditions_h
 
 #include <continua/boundary/boundary_condition.h>
-#include <continua/finite_volume/cell_space.h>
+#include <continua/finite_volume/cell_wise_space.h>
 #include <continua/finite_volume/swept_volumes.h>
 #include <continua/linear_algebra/distributed_vector.h>
 
@@ -33,7 +33,7 @@ public:
     std::vector<double> flow_shapes; ///< of a flow rate; else empty
   };
 
-  FaceConditions(const CellSpace<dim> &space, const std::vector<BoundaryCondition> &conditions);
+  FaceConditions(const CellWiseSpace<dim> &space, const std::vector<BoundaryCondition> &conditions);
 
   /// Finds the faces of the present mesh, which is at rest.
   void build();
@@ -66,7 +66,7 @@ public:
   bool jumps(double begin, double end) const;
 
 private:
-  const CellSpace<dim> &space;
+  const CellWiseSpace<dim> &space;
   const std::vector<BoundaryCondition> &conditions;
   std::vector<Face> boundary_faces;
   std::vector<unsigned int> number_of_face;

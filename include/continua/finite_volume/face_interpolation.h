@@ -16,14 +16,16 @@ class FaceInterpolation
 {
 public:
   /// `blending`: gamma [1], 1 central and 0 upwind.
-  FaceInterpolation(const CellMesh<dim> &mesh, const ValueSpace<dim> &space, double blending = 1.);
+  FaceInterpolation(const CellWiseMesh<dim> &mesh,
+                    const ValueSpace<dim> &space,
+                    double blending = 1.);
 
   /// The stencil of the value on a face, seen from one side. `flux` out of the owner: its sign is
   /// what upwinding needs.
   Stencil<double> operator()(unsigned int face, unsigned int side = 0, double flux = 0.) const;
 
 private:
-  const CellMesh<dim> &mesh;
+  const CellWiseMesh<dim> &mesh;
   const ValueSpace<dim> &space;
   double blending;
 };

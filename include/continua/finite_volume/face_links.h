@@ -40,7 +40,7 @@ public:
     std::array<bool, dim> follows = {}; ///< components that are eliminated
   };
 
-  FaceLinks(const CellSystem<dim> &system, const SplitEquations<dim> &equations);
+  FaceLinks(const CellWiseSystem<dim> &system, const SplitEquations<dim> &equations);
 
   /// `by_value`: boundary faces keep their last value (3.69) and none is eliminated.
   void reinit(bool by_value);
@@ -55,7 +55,7 @@ public:
   void set_prescribed(const Vector &residual, Vector &unknowns) const;
 
 private:
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   const SplitEquations<dim> &equations;
   std::vector<Link> all;
   std::vector<double> scales; ///< of prescribed directions' equations, 0 where there are none

@@ -1,7 +1,7 @@
 #ifndef continua_finite_volume_face_traction_h
 #define continua_finite_volume_face_traction_h
 
-#include <continua/finite_volume/cell_space.h>
+#include <continua/finite_volume/cell_wise_space.h>
 
 namespace Continua
 {
@@ -21,7 +21,7 @@ class FaceTraction
 public:
   /// `replaced`: whether the cell's gradient on a face with its own value gets that face's normal
   /// gradient for its normal part; kappa then has no part in those faces at all.
-  FaceTraction(const CellSpace<dim> &space,
+  FaceTraction(const CellWiseSpace<dim> &space,
                double stencil_ratio,
                double trace_ratio,
                bool replaced);
@@ -35,7 +35,7 @@ public:
   Stencil<dealii::Tensor<1, dim>> hoop(unsigned int cell) const;
 
 private:
-  const CellSpace<dim> &space;
+  const CellWiseSpace<dim> &space;
   double stencil_ratio, trace_ratio;
   bool replaced;
 

@@ -17,7 +17,7 @@ template <int dim>
 class GaussGradient
 {
 public:
-  GaussGradient(const CellMesh<dim> &mesh, const ValueSpace<dim> &space);
+  GaussGradient(const CellWiseMesh<dim> &mesh, const ValueSpace<dim> &space);
 
   /// Makes the stencils on the present mesh; collective.
   void build();
@@ -46,7 +46,7 @@ private:
   /// Fetches those of the ghosts.
   void exchange(Gradients &gradients) const;
 
-  const CellMesh<dim> &mesh;
+  const CellWiseMesh<dim> &mesh;
   const ValueSpace<dim> &space;
   Gradients of_cell;
   Gradients first; ///< for the correction of skewness: of cells beside faces that need it

@@ -2,7 +2,7 @@
 #define continua_finite_volume_linear_reconstruction_h
 
 #include <continua/continuum/problem.h>
-#include <continua/finite_volume/cell_space.h>
+#include <continua/finite_volume/cell_wise_space.h>
 
 #include <deal.II/base/index_set.h>
 
@@ -27,7 +27,7 @@ template <int dim>
 class LinearReconstruction
 {
 public:
-  LinearReconstruction(const CellSpace<dim> &space, const Problem &problem)
+  LinearReconstruction(const CellWiseSpace<dim> &space, const Problem &problem)
       : space(space), problem(problem)
   {
   }
@@ -47,7 +47,7 @@ public:
    */
   Stencil<double> displacement(const CellPlace &place,
                                const dealii::Point<dim> &point,
-                               const dealii::Point<dim> &at_rest) const;
+                               const dealii::Point<dim> &undeformed) const;
   /// The cell that owns a face between a liquid and a solid: the solid's. Of another face the given
   /// one of its cells.
   unsigned int owner_along(unsigned int face, unsigned int cell) const;
@@ -71,7 +71,7 @@ public:
                                                 const DistributedVector &velocity);
 
 private:
-  const CellSpace<dim> &space;
+  const CellWiseSpace<dim> &space;
   const Problem &problem;
   dealii::IndexSet relevant_velocities, relevant_pressures;
 

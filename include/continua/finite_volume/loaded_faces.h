@@ -1,7 +1,7 @@
 #ifndef continua_finite_volume_loaded_faces_h
 #define continua_finite_volume_loaded_faces_h
 
-#include <continua/finite_volume/cell_system.h>
+#include <continua/finite_volume/cell_wise_system.h>
 #include <continua/finite_volume/held_cells.h>
 
 #include <memory>
@@ -20,10 +20,10 @@ template <int dim>
 class LoadedFaces
 {
 public:
-  LoadedFaces(const CellSpace<dim> &space,
+  LoadedFaces(const CellWiseSpace<dim> &space,
               const Problem &problem,
               const FaceConditions<dim> &conditions,
-              const std::vector<CellOperators> &operators,
+              const std::vector<CellWiseOperators> &operators,
               const PressureClosure &closure,
               const CellWiseParameters &parameters);
 
@@ -38,11 +38,11 @@ public:
   respond(DistributedVector &forces, DistributedVector &displacement, DistributedVector &pressure);
 
 private:
-  const CellSpace<dim> &space;
+  const CellWiseSpace<dim> &space;
   const Problem &problem;
   const FaceConditions<dim> &conditions;
   const PressureClosure &closure;
-  CellSystem<dim> system;               ///< of the body at rest, by instantaneous moduli
+  CellWiseSystem<dim> system;           ///< of the body at rest, by instantaneous moduli
   std::unique_ptr<HeldCells<dim>> held; ///< made when it is asked for
 
   bool deforms_at_once(unsigned int region) const;

@@ -25,7 +25,7 @@ class MomentumPredictor
 public:
   using Vector = typename SplitEquations<dim>::Vector;
 
-  MomentumPredictor(const CellSystem<dim> &system,
+  MomentumPredictor(const CellWiseSystem<dim> &system,
                     const SplitEquations<dim> &equations,
                     const FaceLinks<dim> &links);
 
@@ -44,7 +44,7 @@ public:
   std::string name() const;
 
 private:
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   const SplitEquations<dim> &equations;
   const FaceLinks<dim> &links;
   CompactMatrix<dim> matrix;

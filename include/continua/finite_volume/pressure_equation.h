@@ -25,7 +25,7 @@ class PressureEquation
 public:
   using Vector = typename SplitEquations<dim>::Vector;
 
-  PressureEquation(const CellSystem<dim> &system,
+  PressureEquation(const CellWiseSystem<dim> &system,
                    const SplitEquations<dim> &equations,
                    const FaceLinks<dim> &links,
                    const FaceBalance<dim> &faces);
@@ -47,7 +47,7 @@ public:
   double factor_memory() const { return factor ? factor->memory() : 0.; }
 
 private:
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   const SplitEquations<dim> &equations;
   const FaceLinks<dim> &links;
   const FaceBalance<dim> &faces;

@@ -22,13 +22,13 @@ namespace Continua
  * follows, with `Pressure corrections` pressure equations.
  */
 template <int dim>
-class SegregatedSolve : public CellSolve<dim>
+class SegregatedSolve : public CellWiseSolve<dim>
 {
 public:
   /// Gets every correction as soon as it is made.
   using Sink = std::function<void(const LoopCorrection &)>;
 
-  explicit SegregatedSolve(const CellSystem<dim> &system, Sink sink = {});
+  explicit SegregatedSolve(const CellWiseSystem<dim> &system, Sink sink = {});
 
   void reinit() override;
   /// Throws RunError if the loop diverges, and at its cap if that is asked for.
@@ -44,7 +44,7 @@ public:
 private:
   using Vector = typename SplitEquations<dim>::Vector;
 
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   const Sink sink;
   const Formulation formulation;
   /// Whether faces get their velocity from their own equations rather than by the links'

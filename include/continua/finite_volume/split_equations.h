@@ -1,7 +1,7 @@
 #ifndef continua_finite_volume_split_equations_h
 #define continua_finite_volume_split_equations_h
 
-#include <continua/finite_volume/cell_system.h>
+#include <continua/finite_volume/cell_wise_system.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -25,7 +25,7 @@ public:
   /// A block of this rank's rows: from the first to before the second.
   using Rows = std::pair<unsigned int, unsigned int>;
 
-  explicit SplitEquations(const CellSystem<dim> &system);
+  explicit SplitEquations(const CellWiseSystem<dim> &system);
 
   /// Takes the system's present matrix.
   void reinit();
@@ -65,7 +65,7 @@ public:
   double entry(unsigned int row, unsigned int column) const;
 
 private:
-  const CellSystem<dim> &system;
+  const CellWiseSystem<dim> &system;
   unsigned int n_cells = 0, first_pressure = 0, n_rows = 0;
   /// Of every rank, and one past the last: first numbers of its velocities' entries and pressures.
   std::vector<unsigned int> first_velocities, first_pressures;
@@ -75,7 +75,7 @@ private:
   std::vector<unsigned int> columns;
   std::vector<double> values;
 
-  /// Number of an unknown in the order of our vectors, by its number in CellSystem.
+  /// Number of an unknown in the order of our vectors, by its number in CellWiseSystem.
   unsigned int global_index(unsigned int number) const;
 };
 } // namespace Continua

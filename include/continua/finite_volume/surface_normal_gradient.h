@@ -15,7 +15,7 @@ template <int dim>
 class SurfaceNormalGradient
 {
 public:
-  SurfaceNormalGradient(const CellMesh<dim> &mesh,
+  SurfaceNormalGradient(const CellWiseMesh<dim> &mesh,
                         const ValueSpace<dim> &space,
                         const GaussGradient<dim> &gradient);
 
@@ -25,7 +25,7 @@ public:
   Stencil<double> compact(unsigned int face, unsigned int side = 0) const;
 
 private:
-  const CellMesh<dim> &mesh;
+  const CellWiseMesh<dim> &mesh;
   const ValueSpace<dim> &space;
   const GaussGradient<dim> &gradient;
 };

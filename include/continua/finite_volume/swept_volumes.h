@@ -1,7 +1,7 @@
 #ifndef continua_finite_volume_swept_volumes_h
 #define continua_finite_volume_swept_volumes_h
 
-#include <continua/finite_volume/cell_mesh.h>
+#include <continua/finite_volume/cell_wise_mesh.h>
 #include <continua/time_integration/step.h>
 
 #include <vector>
@@ -24,7 +24,7 @@ class SweptVolumes
 {
 public:
   /// The mesh must outlive it.
-  explicit SweptVolumes(const CellMesh<dim> &mesh) : mesh(mesh) {}
+  explicit SweptVolumes(const CellWiseMesh<dim> &mesh) : mesh(mesh) {}
 
   /// Nothing moves.
   void reset();
@@ -48,7 +48,7 @@ public:
   double growth_since_older(const unsigned int cell) const { return earlier_growths[cell]; }
 
 private:
-  const CellMesh<dim> &mesh;
+  const CellWiseMesh<dim> &mesh;
   std::vector<bool> moving_materials; ///< empty where nothing moves
   std::vector<double> rates, growths, earlier_growths;
 

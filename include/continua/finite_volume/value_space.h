@@ -1,7 +1,7 @@
 #ifndef continua_finite_volume_value_space_h
 #define continua_finite_volume_value_space_h
 
-#include <continua/finite_volume/cell_mesh.h>
+#include <continua/finite_volume/cell_wise_mesh.h>
 #include <continua/finite_volume/stencil.h>
 
 #include <deal.II/base/index_set.h>
@@ -22,14 +22,14 @@ enum class InterfaceValue
 /**
  * Global numbers for the values of one quantity: one per cell, one per boundary face, and one or
  * two per face between materials. Each rank's numbers are contiguous, its cells' first (in the
- * order of CellMesh). A vector field has `dim` entries for each value, number dim * value +
+ * order of CellWiseMesh). A vector field has `dim` entries for each value, number dim * value +
  * component.
  */
 template <int dim>
 class ValueSpace
 {
 public:
-  ValueSpace(const CellMesh<dim> &mesh, InterfaceValue interface_value);
+  ValueSpace(const CellWiseMesh<dim> &mesh, InterfaceValue interface_value);
 
   /// Numbers the values of the present mesh.
   void distribute();
@@ -58,7 +58,7 @@ public:
   std::vector<unsigned long> numbers(unsigned int n_components) const;
 
 private:
-  const CellMesh<dim> &mesh;
+  const CellWiseMesh<dim> &mesh;
   InterfaceValue interface_value;
   unsigned int first = 0, n_local = 0, n_global = 0;
   std::vector<unsigned int> cell_values;

@@ -34,7 +34,7 @@ class VertexMotion
 {
 public:
   /// All must outlive it.
-  VertexMotion(const CellSpace<dim> &space,
+  VertexMotion(const CellWiseSpace<dim> &space,
                const Problem &problem,
                const LinearReconstruction<dim> &reconstruction);
 
@@ -100,7 +100,7 @@ private:
     std::array<double, 3> place; ///< at rest [m]
   };
 
-  const CellSpace<dim> &space;
+  const CellWiseSpace<dim> &space;
   const Problem &problem;
   const LinearReconstruction<dim> &reconstruction;
   dealii::FESystem<dim> element; ///< linear, of dim components

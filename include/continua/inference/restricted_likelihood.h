@@ -15,7 +15,7 @@ struct ResidualsOfRecord
   double interval;                          ///< [s]
   std::vector<double> residuals;            ///< [unit]
   std::vector<std::vector<double>> columns; ///< d prediction / d coordinate of the free parameters
-  dealii::FullMatrix<double> further_information; ///< J^T W J of other records and of priors
+  dealii::FullMatrix<double> other_information; ///< J^T W J of other records and of priors
 };
 
 /**

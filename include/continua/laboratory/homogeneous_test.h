@@ -26,7 +26,7 @@ const Words<HomogeneousTestType> &homogeneous_test_words();
 /// What a test finds at a stretch l [1], or at an amount of shear [1].
 struct HomogeneousTestPoint
 {
-  double measure = 0.;           ///< the stretch or the amount of shear [1]
+  double strain_measure = 0.;    ///< the stretch or the amount of shear [1]
   double nominal_stress = 0.;    ///< force over area at rest [Pa]
   double cauchy_stress = 0.;     ///< force over the present area [Pa]
   double tangent_modulus = 0.;   ///< d(nominal stress)/d(measure) [Pa]
@@ -39,8 +39,8 @@ struct HomogeneousTestPoint
 /// How far a test goes from rest towards a measure.
 struct HomogeneousTestEnd
 {
-  double measure = 0.; ///< the measure asked for, or the last one with equilibrium [1]
-  std::string reason;  ///< a sentence on why there is none beyond it; empty if there is
+  double strain_measure = 0.; ///< the measure asked for, or the last one with equilibrium [1]
+  std::string reason;         ///< a sentence on why there is none beyond it; empty if there is
 };
 
 /// Equilibrium at a point: principal stretches some of which are given, the others free of stress.
@@ -68,10 +68,10 @@ public:
   /// Newton's method, up to where the free directions shrink to nothing or lose their stability.
   /// This place belongs to the law: neither the range nor the rows of a curve change it. Throws
   /// RunError beyond.
-  HomogeneousTestPoint at(HomogeneousTestType type, double measure) const;
+  HomogeneousTestPoint at(HomogeneousTestType type, double strain_measure) const;
 
   /// The last state towards a measure.
-  HomogeneousTestEnd end(HomogeneousTestType type, double measure) const;
+  HomogeneousTestEnd end(HomogeneousTestType type, double strain_measure) const;
 
   /// The principal stretches [1] along the axes that are `given` stay, the others are sought; the
   /// rates belong to the `logarithmic_rates` of the given ones, d(ln l)/d(measure). Throws

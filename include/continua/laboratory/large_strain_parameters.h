@@ -14,8 +14,8 @@ struct StretchTable
 {
   HomogeneousTestType type = HomogeneousTestType::uniaxial;
   std::string file;
-  std::vector<double> measures; ///< stretches or amounts of shear [1]
-  std::vector<double> stresses; ///< nominal [Pa]
+  std::vector<double> strain_measures; ///< stretches or amounts of shear [1]
+  std::vector<double> stresses;        ///< nominal [Pa]
 };
 
 /// The direction in which a specimen of a wall is cut.

@@ -34,16 +34,16 @@ public:
   /// Sets the rows of both equations to the product of the matrix.
   using Product = BlockKrylov::Product;
 
-  /// A, B and C. With `coupled`, A u - B^T p and B u in one pass. With `whole`, the product of
-  /// another matrix, which may be unsymmetric: the blocks are then those of the preconditioner
-  /// alone.
+  /// A, B and C. With `coupled`, A u - B^T p and B u in one pass. With `tangent_product`, the
+  /// product of another matrix, which may be unsymmetric: the blocks are then those of the
+  /// preconditioner alone.
   struct Blocks
   {
     const VelocityOperator &velocity;
     const DivergenceOperator &divergence;
     const dealii::TrilinosWrappers::SparseMatrix &compression;
     Product coupled = nullptr;
-    Product whole = nullptr;
+    Product tangent_product = nullptr;
   };
 
   explicit SaddlePointSolver(unsigned int restart_length);

@@ -70,8 +70,8 @@ deviator_of_both(const dealii::SymmetricTensor<4, 3, Number> &tensor)
 template <typename Number>
 dealii::SymmetricTensor<2, 3, Number> square(const dealii::SymmetricTensor<2, 3, Number> &b)
 {
-  const dealii::Tensor<2, 3, Number> whole(b);
-  return symmetrize(whole * whole);
+  const dealii::Tensor<2, 3, Number> tensor(b);
+  return symmetrize(tensor * tensor);
 }
 
 /// The tensor c with c : e = b e b.

@@ -45,8 +45,8 @@ private:
 
   dealii::SymmetricTensor<2, 3, Number> fictitious_stress(const PointStrainOf<Number> &strain) const
   {
-    const dealii::Tensor<2, 3, Number> whole(metric);
-    return symmetrize(strain.gradient * whole * transpose(strain.gradient)) /
+    const dealii::Tensor<2, 3, Number> tensor(metric);
+    return symmetrize(strain.gradient * tensor * transpose(strain.gradient)) /
            of_each([](const double j) { return std::cbrt(j * j); }, strain.determinant);
   }
 };

@@ -70,7 +70,7 @@ private:
                    const dealii::SymmetricTensor<2, 3, Number> &whole_stress) const;
   /// Of T at this strain.
   template <typename Number>
-  void set_mean_of(const dealii::SymmetricTensor<2, 3, Number> &whole,
+  void set_mean_of(const dealii::SymmetricTensor<2, 3, Number> &total,
                    const PointStrainOf<Number> &strain,
                    Number &mean_stress,
                    dealii::SymmetricTensor<2, 3, Number> &derivative) const;
@@ -103,13 +103,13 @@ dealii::SymmetricTensor<2, 3, Number> SaintVenantKirchhoff::trace_derivative(
 }
 
 template <typename Number>
-void SaintVenantKirchhoff::set_mean_of(const dealii::SymmetricTensor<2, 3, Number> &whole,
+void SaintVenantKirchhoff::set_mean_of(const dealii::SymmetricTensor<2, 3, Number> &total,
                                        const PointStrainOf<Number> &strain,
                                        Number &mean_stress,
                                        dealii::SymmetricTensor<2, 3, Number> &derivative) const
 {
-  mean_stress = trace(whole) / (3. * strain.determinant);
-  derivative = 1. / (3. * strain.determinant) * trace_derivative(left_strain(strain), whole) -
+  mean_stress = trace(total) / (3. * strain.determinant);
+  derivative = 1. / (3. * strain.determinant) * trace_derivative(left_strain(strain), total) -
                mean_stress * dealii::unit_symmetric_tensor<3, Number>();
 }
 
@@ -126,9 +126,9 @@ void SaintVenantKirchhoff::set_stresses(const PointStrainOf<Number> &strain,
                                         Number &mean_stress,
                                         dealii::SymmetricTensor<2, 3, Number> &derivative) const
 {
-  const dealii::SymmetricTensor<2, 3, Number> whole = whole_stress(strain);
-  stress = deviatoric_part(whole);
-  set_mean_of(whole, strain, mean_stress, derivative);
+  const dealii::SymmetricTensor<2, 3, Number> total = whole_stress(strain);
+  stress = deviatoric_part(total);
+  set_mean_of(total, strain, mean_stress, derivative);
 }
 
 template <typename Number>
@@ -144,12 +144,12 @@ void SaintVenantKirchhoff::set_tangent(const PointStrainOf<Number> &strain,
                                        dealii::SymmetricTensor<2, 3, Number> &stress,
                                        dealii::SymmetricTensor<4, 3, Number> &tangent) const
 {
-  const dealii::SymmetricTensor<2, 3, Number> b = left_strain(strain), whole = whole_stress(strain),
-                                              of_trace = trace_derivative(b, whole);
-  stress = deviatoric_part(whole);
+  const dealii::SymmetricTensor<2, 3, Number> b = left_strain(strain), total = whole_stress(strain),
+                                              of_trace = trace_derivative(b, total);
+  stress = deviatoric_part(total);
   // What the mean of T takes from g T + T g^T comes back, and the mean itself changes.
   tangent = lambda * dyadic_product(b, b) + 2. * modulus * both_sides_product(b) +
-            2. / 3. * trace(whole) * dealii::identity_tensor<3, Number>() -
+            2. / 3. * trace(total) * dealii::identity_tensor<3, Number>() -
             1. / 3. * dyadic_product(dealii::unit_symmetric_tensor<3, Number>(), of_trace);
 }
 } // namespace Continua

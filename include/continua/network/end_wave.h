@@ -43,8 +43,8 @@ public:
   /// Sets the end of the vessel to this area.
   void take(double area);
   /// The velocity [m/s] at an area, and its derivative [1/(m s)], of a wave that leaves the vessel
-  /// through this end into liquid at rest with the area `rest` [m^2]: nothing comes in.
-  std::pair<double, double> leaving(double rest, double area) const;
+  /// through this end into liquid at rest with the area `start_area` [m^2]: nothing comes in.
+  std::pair<double, double> leaving(double start_area, double area) const;
 
 private:
   Vessel &vessel;

@@ -37,7 +37,7 @@ public:
   unsigned int n_steps() const { return steps; }
 
   /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error.
-  void rest(double pressure);
+  void start_at_rest(double pressure);
   /// Goes on to a time [s] in equal steps whose Courant number is at most `courant_number`. Throws
   /// StepFailure with time, vessel and place.
   void advance(double end_time, double courant_number);

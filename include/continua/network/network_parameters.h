@@ -67,7 +67,7 @@ struct NetworkParameters
   void check(ParameterSection section);
   /// Of hearts, which must be positive in a time [s], looked at once in a `step` [s] (0: a
   /// thousand times); check() does it where there is no body. Throws InputError.
-  void check_elastances(double whole, double step = 0.) const;
+  void check_elastances(double duration, double step = 0.) const;
   /// The network in its state at rest. After check(). Throws std::domain_error if there is no such
   /// state.
   Network make() const { return make({}); }

@@ -106,7 +106,7 @@ public:
 
   /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error if there is
   /// no area for it.
-  virtual void rest(double pressure) = 0;
+  virtual void start_at_rest(double pressure) = 0;
   /// Any state, of the centres of the cells [m^2], [m^3/s].
   void set(const std::vector<double> &areas, const std::vector<double> &flows);
 

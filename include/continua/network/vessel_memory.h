@@ -45,7 +45,7 @@ public:
 
   bool wall_relaxes() const { return !relaxation.is_elastic(); }
   /// The wall has relaxed, and the liquid has these flow rates for long.
-  void rest(const std::vector<double> &flows);
+  void start_at_rest(const std::vector<double> &flows);
   /// Keeps the state as that of the begin of a step.
   void begin_step();
   /// An implicit stage of a step [s] from the areas [m^2] and flow rates [m^3/s] of the cells after

@@ -129,10 +129,10 @@ public:
    * warned of. Throws RunError on all ranks.
    */
   std::vector<std::string> finish(Summary &summary);
-  /// The names of what finish() adds after check(), with the same `fields`; `at_rest`: of a run
+  /// The names of what finish() adds after check(), with the same `fields`; `is_steady`: of a run
   /// with one record.
   void name_quantities(const std::vector<FieldComponent> &fields,
-                       bool at_rest,
+                       bool is_steady,
                        QuantityNames &names) const;
   /// Writes what is buffered of the file. Throws RunError on all ranks.
   void flush();

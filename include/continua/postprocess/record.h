@@ -20,10 +20,10 @@ struct RecordedStep
 {
   ContinuumSolver<dim> &solver; ///< with the state at the end of the part
   const Step &part;
-  double time;   ///< of the end of the whole step [s]
-  double size;   ///< of the whole step [s]
-  bool is_whole; ///< whether the step ends with this part
-  bool is_due;   ///< whether it ends with this part, and the record's schedule asks for its state
+  double time;    ///< of the end of the whole step [s]
+  double size;    ///< of the whole step [s]
+  bool ends_step; ///< whether the step ends with this part
+  bool is_due;    ///< whether it ends with this part, and the record's schedule asks for its state
   Log &log;
 };
 

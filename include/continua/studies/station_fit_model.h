@@ -16,14 +16,14 @@ namespace Continua
 class StationFitModel : public FitModel
 {
 public:
-  /// `probes`: the names of all probes with stations. `further`: entries with their values, beside
-  /// those of the numbers. `tests`: of materials, whose records are those behind the ones with a
-  /// source. All must outlive it.
+  /// `probes`: the names of all probes with stations. `other_entries`: entries with their values,
+  /// beside those of the numbers. `tests`: of materials, whose records are those behind the ones
+  /// with a source. All must outlive it.
   StationFitModel(ForwardModel &model,
                   const std::vector<SoughtEntry> &sought,
                   const StationRecords &records,
                   const std::vector<std::string> &probes,
-                  std::vector<std::pair<std::string, std::string>> further = {},
+                  std::vector<std::pair<std::string, std::string>> other_entries = {},
                   const MaterialTestModel *tests = nullptr);
 
   std::vector<Prediction> predict(const std::vector<std::vector<double>> &sets) override;
@@ -36,7 +36,7 @@ private:
   ForwardModel &model;
   const std::vector<SoughtEntry> &sought;
   const StationRecords &records;
-  std::vector<std::pair<std::string, std::string>> further;
+  std::vector<std::pair<std::string, std::string>> other_entries;
   const MaterialTestModel *tests;
   static constexpr unsigned int none = -1;
   std::vector<unsigned int> clocks;             ///< by probe: the number that is its shift

@@ -56,10 +56,10 @@ struct Step
   Update update = Update::implicit;
   /// Of all loads, prescribed velocities and pressures behind outlets [1].
   double load_factor = 1.;
-  /// Whether it is one on the way to rest. Nothing acts then that a state at rest does not have,
-  /// however long it would last: outlets stand as in a steady flow, branches have relaxed, and
-  /// neither the viscosity of a solid nor the damping of a support is there.
-  bool is_towards_rest = false;
+  /// Whether it is one on the way to a steady state. Nothing acts then that a state at rest does
+  /// not have, however long it would last: outlets stand as in a steady flow, branches have
+  /// relaxed, and neither the viscosity of a solid nor the damping of a support is there.
+  bool finds_steady_state = false;
   /// Whether it is one of the search for the unloaded shape: the displacement then leads from that
   /// shape to the mesh, which has the shape under the loads.
   bool finds_unloaded_shape = false;
@@ -74,7 +74,7 @@ struct Step
 /// Backward Euler from `time_old` over `size` (equation 3.44).
 Step euler_step(double time_old, double size, Update update);
 /**
- * One solve of the equations of rest, with Step::is_towards_rest: without inertia (unless
+ * One solve of the steady equations, with Step::finds_steady_state: without inertia (unless
  * `with_inertia`), the displacement of a solid is its velocity times `size` after what it was. The
  * size [s] weighs the velocity that a solid still has against that of a liquid beside it.
  */
@@ -87,10 +87,10 @@ Step backward_differencing_step(double time_old, double size, double size_old, U
 Step crank_nicolson_step(double time_old, double size, double size_old = 0.);
 /// Of a step that has no solution.
 inline constexpr int most_halvings = 6;
-/// A step by the formulas of `whole` from `time_old` over `size`, after one of `size_old` [s].
-Step step_like(const Step &whole, double time_old, double size, double size_old);
+/// A step by the formulas of `parent` from `time_old` over `size`, after one of `size_old` [s].
+Step step_like(const Step &parent, double time_old, double size, double size_old);
 /// Both halves of a step; the second one ends at the very time at which the step ends.
-std::array<Step, 2> halves_of(const Step &whole);
+std::array<Step, 2> halves_of(const Step &parent);
 } // namespace Continua
 
 #endif

@@ -72,7 +72,7 @@ private:
   std::vector<Tensor> slopes;           ///< of the spline at the knots
   std::vector<double> sample_positions; ///< [m]
   std::vector<Point> sample_points;
-  std::vector<double> ways_to_samples; ///< from the first one, along the polyline of all [m]
+  std::vector<double> arc_lengths; ///< from the first one, along the polyline of all [m]
   std::vector<Tensor> sample_normals;
 };
 } // namespace Continua

@@ -126,8 +126,8 @@ struct NewtonCounts
   double corrections, new_factors;
 };
 constexpr NewtonCounts counts_of_step{4.5, 0.02};
-constexpr NewtonCounts counts_of_explicit_step{1., 0.}; ///< by a factor
-constexpr NewtonCounts counts_to_rest{30., 9.};         ///< of all steps on the way
+constexpr NewtonCounts counts_of_explicit_step{1., 0.};  ///< by a factor
+constexpr NewtonCounts counts_of_steady_search{30., 9.}; ///< of all steps on the way
 
 SystemSize size_of(const CostInput &input, const Bar &bar)
 {
@@ -172,8 +172,8 @@ CostEstimate::CostEstimate(const CostInput &input)
     const SolverCost cost = cost_of_tangents(solver, size);
     memory = cost.memory;
     set_up_time = cost.set_up_time;
-    solve_time =
-        cost.solve_time * (input.to_rest ? counts_to_rest.corrections : counts_of_step.corrections);
+    solve_time = cost.solve_time * (input.finds_steady_state ? counts_of_steady_search.corrections
+                                                             : counts_of_step.corrections);
   }
   else
   {
@@ -204,8 +204,8 @@ CostEstimate::CostEstimate(const CostInput &input)
     set_up_time = assembly * microsecond * n_unknowns + input.n_factors * factor_time;
     if (input.is_nonlinear)
     {
-      const bool goes_to_rest = input.to_rest || input.is_harmonic;
-      const NewtonCounts &counts = goes_to_rest                ? counts_to_rest
+      const bool searches = input.finds_steady_state || input.is_harmonic;
+      const NewtonCounts &counts = searches                    ? counts_of_steady_search
                                    : input.convects_explicitly ? counts_of_explicit_step
                                                                : counts_of_step;
       solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
@@ -252,7 +252,7 @@ SolverOutlook solver_outlook(const CostInput &input)
   SolverOutlook outlook;
   outlook.size = size_of(input, Bar(input));
   // How many steps bring a body to rest is unknown.
-  if (!input.to_rest)
+  if (!input.finds_steady_state)
     outlook.n_solves = input.n_steps;
   outlook.memory_limit = input.memory_limit;
   outlook.memory_of_program = memory_of_program;

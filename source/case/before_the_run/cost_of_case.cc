@@ -94,9 +94,9 @@ CostInput cost_of_fields(const Case<dim> &input)
   }
   else
   {
-    cost.to_rest = !cost.is_of_vibrations;
+    cost.finds_steady_state = !cost.is_of_vibrations;
     cost.n_steps = input.analysis.is_harmonic() ? n_frequencies_of(input)
-                   : cost.to_rest               ? 1.
+                   : cost.finds_steady_state    ? 1.
                                                 : solves_of_modes;
     cost.is_harmonic = input.analysis.is_harmonic();
     // One on each rank, of another frequency.

@@ -72,7 +72,7 @@ void FlowNumbers::report_reynolds_numbers()
     return;
   const double reynolds = reynolds_number(input.mean_speed);
   const std::string width = quantity_text(input.width, "m");
-  const std::string rest = input.is_at_rest ? ", with the viscosity at rest" : "";
+  const std::string rest = input.has_flow_curve ? ", with the viscosity at rest" : "";
   switch (input.duct)
   {
   case Duct::pipe:

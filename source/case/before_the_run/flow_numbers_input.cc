@@ -342,7 +342,7 @@ void set_liquid(const Case<dim> &input, const unsigned int region, FlowNumbersIn
   const Material &liquid = input.problem.materials[region];
   flow.density = liquid.density;
   flow.viscosity = liquid.shear.viscosity;
-  flow.is_at_rest = liquid.shear.flow_curve.has_value();
+  flow.has_flow_curve = liquid.shear.flow_curve.has_value();
   flow.wave_speed = 0.;
   if (!liquid.is_incompressible())
   {

@@ -25,7 +25,7 @@ std::vector<TimeFunction> loads_of(const Problem &problem)
 {
   std::vector<TimeFunction> loads;
   const bool starts_loaded =
-      (problem.interior.starts_at_rest_under_loads && !problem.interior.starts_under_mean_loads) ||
+      (problem.interior.starts_steady_under_loads && !problem.interior.starts_under_mean_loads) ||
       problem.finds_unloaded_shape();
   const auto add = [&loads, starts_loaded](const Waveform &waveform)
   {

@@ -233,7 +233,7 @@ PreflightInput preflight_input(const Case<dim> &input)
     return preflight;
   preflight.starts_loaded =
       input.problem.finds_unloaded_shape() || (input.problem.deformation == Deformation::finite &&
-                                               input.problem.interior.starts_at_rest_under_loads);
+                                               input.problem.interior.starts_steady_under_loads);
   preflight.length = extents.length();
   preflight.axial_cell = extents.axial_cell / refinement;
   preflight.normal_cell = extents.normal_cell / refinement;

@@ -114,7 +114,7 @@ void check_inflow_pressures(const Problem &problem, ParameterSection root)
 template <int dim>
 void check_load_steps(const Case<dim> &input, ParameterSection root)
 {
-  if (input.rest.load_steps > 1 && input.rest.load_steps >= input.rest.maximum_steps)
+  if (input.steady.load_steps > 1 && input.steady.load_steps >= input.steady.maximum_steps)
     root.subsection("Steady").refuse("Load steps",
                                      "there have to be steps with all loads after the load steps",
                                      "Set Maximum steps to more than Load steps");

@@ -244,10 +244,10 @@ void check_deformation(const Case<dim> &input, ParameterSection root)
   if (problem.finds_unloaded_shape())
     check_unloaded_shape(problem, root);
   if (problem.finds_unloaded_shape() ||
-      (problem.interior.starts_at_rest_under_loads && !problem.interior.starts_under_mean_loads))
+      (problem.interior.starts_steady_under_loads && !problem.interior.starts_under_mean_loads))
     check_largest_pressure(input, 0., root);
   if (input.analysis.is_steady())
-    check_largest_pressure(input, input.rest.time_of_loads, root);
+    check_largest_pressure(input, input.steady.time_of_loads, root);
   for (unsigned int region = 0; region < problem.materials.size(); ++region)
     check_prestretch(problem, region, root);
   check_initial_state(problem.interior, root.subsection("Initial state"));

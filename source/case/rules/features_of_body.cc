@@ -1,6 +1,6 @@
 #include <continua/case/rules/feature_rows.h>
 
-#include <continua/continuum/rest_state.h>
+#include <continua/continuum/stress_free_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,13 +60,13 @@ FeatureGroup<dim> liquids_as_features()
                      [](Input input)
                      {
                        return input.problem.convection.is_explicit() &&
-                              !input.problem.interior.starts_at_rest_under_loads;
+                              !input.problem.interior.starts_steady_under_loads;
                      }),
        of_input<dim>("explicit convection with a factor", "Flow/Time treatment = explicit",
                      [](Input input)
                      {
                        return input.problem.convection.is_explicit() &&
-                              !input.problem.interior.starts_at_rest_under_loads &&
+                              !input.problem.interior.starts_steady_under_loads &&
                               input.discretisation.taylor_hood.linear_solver.type !=
                                   LinearSolverType::iterative;
                      }),
@@ -88,7 +88,7 @@ FeatureGroup<dim> liquids_as_features()
        of_input<dim>("linear equations", "Convection = none",
                      [](Input input) { return !input.problem.is_nonlinear(); }),
        of_input<dim>("load steps", "Steady/Load steps",
-                     [](Input input) { return input.rest.load_steps > 1; })}};
+                     [](Input input) { return input.steady.load_steps > 1; })}};
 }
 
 template <int dim>

@@ -155,13 +155,13 @@ FeatureGroup<dim> steps_as_features()
                      [](Input input)
                      {
                        return (is_in_time(input) || input.analysis.is_steady()) &&
-                              input.problem.interior.starts_at_rest_under_loads;
+                              input.problem.interior.starts_steady_under_loads;
                      }),
        of_input<dim>("start from the shape of the mesh", "Initial state/Type = given",
                      [](Input input)
                      {
                        return is_in_time(input) &&
-                              !input.problem.interior.starts_at_rest_under_loads &&
+                              !input.problem.interior.starts_steady_under_loads &&
                               !input.problem.finds_unloaded_shape();
                      }),
        of_input<dim>("no unloaded shape in a steady flow", "Unloaded shape = mesh",

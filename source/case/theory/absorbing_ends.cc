@@ -7,7 +7,7 @@
 #include <continua/case/case.h>
 #include <continua/case/theory/loaded_tube_case.h>
 #include <continua/case/theory/tube_wave_case.h>
-#include <continua/continuum/rest_state.h>
+#include <continua/continuum/stress_free_state.h>
 #include <continua/mesh/round_section.h>
 #include <continua/theory/end_impedance.h>
 #include <continua/theory/impedance_fit.h>

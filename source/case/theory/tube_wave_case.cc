@@ -140,7 +140,7 @@ std::string read_far_end(const Case<dim> &input, const Ends &ends, TubeWaveProbl
   if (input.analysis.is_transient() && input.problem.interior.starts_under_mean_loads)
     return "the run starts under the mean of its loads, and the theory from rest";
   if (input.analysis.is_transient() && input.problem.deformation == Deformation::finite &&
-      (input.problem.interior.starts_at_rest_under_loads || input.problem.finds_unloaded_shape()))
+      (input.problem.interior.starts_steady_under_loads || input.problem.finds_unloaded_shape()))
     return "the run starts in a loaded state, and the theory is that of the wall without load";
   if (condition->type == BoundaryType::network)
     return "the " + ends.outlet + " is an end of a network, which the theory does not have";

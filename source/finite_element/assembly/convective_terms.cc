@@ -58,7 +58,7 @@ void ConvectiveTerms<dim>::forget_derivative()
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::keep_derivative(const BalancedStep &state, const KeptDerivative form)
+void ConvectiveTerms<dim>::keep_derivative(const StepSolution &state, const KeptDerivative form)
 {
   if (form == KeptDerivative::matrices || streamline_terms.are_on())
     product.forget();
@@ -84,7 +84,7 @@ void ConvectiveTerms<dim>::add_derivative_product(const DistributedVector &of_ve
 }
 
 template <int dim>
-std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedStep &state)
+std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const StepSolution &state)
 {
   if (problem.convection.stabilisation == ConvectionStabilisation::none)
     return {};
@@ -105,7 +105,7 @@ std::vector<double> ConvectiveTerms<dim>::grad_div_viscosities(const BalancedSte
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::take(const BalancedStep &state)
+void ConvectiveTerms<dim>::take(const StepSolution &state)
 {
   step = state.step;
   here.set_step(step);
@@ -168,7 +168,7 @@ double ConvectiveTerms<dim>::integrate()
 }
 
 template <int dim>
-void ConvectiveTerms<dim>::add(const BalancedStep &state,
+void ConvectiveTerms<dim>::add(const StepSolution &state,
                                DistributedVector &momentum,
                                DistributedVector &volume)
 {

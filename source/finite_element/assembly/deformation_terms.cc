@@ -17,7 +17,7 @@ using namespace dealii;
 namespace
 {
 /// Of the terms of a stress at rest, which cancel: what of them a residual keeps is far below.
-constexpr double share_of_rest = 0.1;
+constexpr double least_share = 0.1;
 } // namespace
 
 template <int dim>
@@ -32,10 +32,10 @@ DeformationTerms<dim>::DeformationTerms(const Space<dim> &space,
            RegionModel::finite_solid,
            kinds_of<SolidTerms, BodyForceTerms, SolidFaceTerms>()),
       solid_terms(solid_terms_of<dim>(set_of_terms)),
-      rest_states(space, problem, quadrature, cells),
+      stress_free_states(space, problem, quadrature, cells),
       here(problem,
            cells,
-           rest_states,
+           stress_free_states,
            metrics,
            {velocity, displacement, acceleration, pressure, pressure_rate}),
       metrics(metrics),
@@ -52,19 +52,19 @@ void DeformationTerms<dim>::reinit()
   displacement.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
   pressure_rate.reinit(space.pressure_owned, space.pressure_relevant, space.communicator);
   acceleration.reinit(space.velocity_owned, space.velocity_relevant, space.communicator);
-  rest_states.reinit();
+  stress_free_states.reinit();
 }
 
 template <int dim>
 void DeformationTerms<dim>::set_unloaded_displacement(const DistributedVector &of_unloaded)
 {
-  rest_states.set_unloaded_displacement(of_unloaded);
+  stress_free_states.set_unloaded_displacement(of_unloaded);
   // In the shape of the mesh all branches have relaxed.
   start_from(space.velocity_vector());
 }
 
 template <int dim>
-void DeformationTerms<dim>::take(const BalancedStep &state)
+void DeformationTerms<dim>::take(const StepSolution &state)
 {
   step = state.step;
   here.set_step(step);
@@ -73,14 +73,14 @@ void DeformationTerms<dim>::take(const BalancedStep &state)
   if (step.finds_unloaded_shape)
   {
     // The mesh stays, and what the displacement leads from is the unloaded shape.
-    rest_states.unload_by(state.displacement);
+    stress_free_states.unload_by(state.displacement);
     displacement = 0.;
   }
   else
     space.copy_velocity(state.displacement, displacement);
   face_points.set_step(step, state.boundary_pressures);
   space.copy_velocity(state.acceleration, acceleration);
-  rest_states.set_share(step.load_factor);
+  stress_free_states.set_share(step.load_factor);
 }
 
 template <int dim>
@@ -110,17 +110,17 @@ void DeformationTerms<dim>::start_from(const DistributedVector &of_displacement)
 }
 
 template <int dim>
-void DeformationTerms<dim>::finish_step(const BalancedStep &balanced, const State &state)
+void DeformationTerms<dim>::finish_step(const StepSolution &solution, const State &state)
 {
-  if (metrics == nullptr || balanced.step.finds_unloaded_shape)
+  if (metrics == nullptr || solution.step.finds_unloaded_shape)
     return;
   std::fill(heat.begin(), heat.end(), 0.);
-  visit_relaxing_points(balanced.displacement,
+  visit_relaxing_points(solution.displacement,
                         [this](const unsigned int q, const Point &point)
                         {
                           const unsigned int region = here.cell().region;
                           heat[region] +=
-                              here.cell().points[q].weight * point.rest_ratio *
+                              here.cell().points[q].weight * point.stress_free_ratio *
                               metrics->dissipation(region, here.number(), q, here.strain());
                         });
   visit_relaxing_points(state.history.displacement(),
@@ -153,13 +153,13 @@ double DeformationTerms<dim>::integrate()
 }
 
 template <int dim>
-void DeformationTerms<dim>::add(const BalancedStep &state,
+void DeformationTerms<dim>::add(const StepSolution &state,
                                 DistributedVector &momentum,
                                 DistributedVector &volume)
 {
   take(state);
   sizes.stress = 0.;
-  double least_ratio = std::numeric_limits<double>::max(), largest_way = 0.;
+  double least_ratio = std::numeric_limits<double>::max(), largest_displacement = 0.;
   const Cell *worst = nullptr;
   for (const Cell &cell : cells.all())
   {
@@ -168,13 +168,16 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
     // The round-off of a displacement is a strain, also of a body that is moved far, and a law has
     // that of the deformation gradient 1, from which it takes its stress.
     const StrainLaw &law = *here.material().strain_law;
-    const double way = here.largest_displacement(), of_rest = share_of_rest * cell.size;
-    sizes.stress = std::max(sizes.stress, here.material().instantaneous_shear_modulus() *
-                                              std::max(way, of_rest) / cell.size);
+    const double displacement = here.largest_displacement(),
+                 least_displacement = least_share * cell.size;
+    sizes.stress =
+        std::max(sizes.stress, here.material().instantaneous_shear_modulus() *
+                                   std::max(displacement, least_displacement) / cell.size);
     // ln J has no round-off of that kind, but ln det F0 has.
-    largest_way = std::max(largest_way, law.has_own_mean_stress() || rest_states.have_other_volume()
-                                            ? std::max(way, of_rest)
-                                            : way);
+    largest_displacement = std::max(
+        largest_displacement, law.has_own_mean_stress() || stress_free_states.have_other_volume()
+                                  ? std::max(displacement, least_displacement)
+                                  : displacement);
     if (!(ratio >= least_ratio))
     {
       least_ratio = ratio;
@@ -184,8 +187,8 @@ void DeformationTerms<dim>::add(const BalancedStep &state,
   }
   Base::finish_rows(momentum, volume);
   sizes.stress = Utilities::MPI::max(sizes.stress, space.communicator);
-  sizes.velocity =
-      Utilities::MPI::max(largest_way, space.communicator) / here.displacement_by_velocity();
+  sizes.velocity = Utilities::MPI::max(largest_displacement, space.communicator) /
+                   here.displacement_by_velocity();
   refuse_inversion(least_ratio, worst);
 }
 
@@ -228,23 +231,26 @@ NonlinearEnergy DeformationTerms<dim>::energy_at(const unsigned int q)
   const StrainLaw &law = *here.material().strain_law;
   const double inverse_bulk_modulus = here.material().inverse_bulk_modulus();
   const Point point = here.point(q, Stress::alone);
-  const double weight = here.cell().points[q].weight, rest_weight = weight * point.rest_ratio;
+  const double weight = here.cell().points[q].weight,
+               stress_free_weight = weight * point.stress_free_ratio;
   NonlinearEnergy energy;
   energy.kinetic = weight * SolidInertia::energy(point);
-  energy.strain = rest_weight * law.energy(here.strain());
+  energy.strain = stress_free_weight * law.energy(here.strain());
   if (here.relaxes())
     energy.strain +=
-        rest_weight * metrics->energy(here.cell().region, here.number(), q, here.strain());
+        stress_free_weight * metrics->energy(here.cell().region, here.number(), q, here.strain());
   if (law.has_own_mean_stress())
   {
     // The pressure is not -s at each point, but in the mean over its shape functions.
-    const double rest = point.mean_stress + point.pressure;
-    energy.strain -= weight * point.volume_ratio() * 0.5 * inverse_bulk_modulus * rest * rest;
+    const double difference = point.mean_stress + point.pressure;
+    energy.strain -=
+        weight * point.volume_ratio() * 0.5 * inverse_bulk_modulus * difference * difference;
   }
   // K (J ln J - J + 1) by the pressure, whose J is exp(-p/K).
   const double log_ratio = -inverse_bulk_modulus * point.pressure;
   if (inverse_bulk_modulus > 0. && !law.has_own_mean_stress())
-    energy.compressive = rest_weight * (log_ratio * std::exp(log_ratio) - std::expm1(log_ratio)) /
+    energy.compressive = stress_free_weight *
+                         (log_ratio * std::exp(log_ratio) - std::expm1(log_ratio)) /
                          inverse_bulk_modulus;
   return energy;
 }

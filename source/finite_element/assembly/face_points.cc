@@ -22,19 +22,19 @@ SolidFacePoint<dim> FacePoints<dim>::of_solid(const TermFace<dim> &face,
                                               const unsigned int q,
                                               const Vector<double> &displacement) const
 {
-  const DeformedFacePoint<dim> &at_rest = face.points[q];
-  SolidFacePoint<dim> point(at_rest.kinematics(displacement));
-  point.weight = at_rest.area.norm();
-  point.area = point.kinematics.area(at_rest.area) / point.weight;
-  point.hoop = at_rest.hoop * point.kinematics.inverse()[2][2];
+  const DeformedFacePoint<dim> &undeformed = face.points[q];
+  SolidFacePoint<dim> point(undeformed.kinematics(displacement));
+  point.weight = undeformed.area.norm();
+  point.area = point.kinematics.area(undeformed.area) / point.weight;
+  point.hoop = undeformed.hoop * point.kinematics.inverse()[2][2];
   // A step that finds the unloaded shape leaves the mesh, on which the pressure acts.
   if (!step.finds_unloaded_shape)
     point.displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
-  point.pressure = face.unknown_pressure >= 0
-                       ? boundary_pressures[face.unknown_pressure]
-                       : step.load_factor *
-                             face.condition->normal.along_normal(coordinates(at_rest.place).data(),
-                                                                 step.balance_time);
+  point.pressure =
+      face.unknown_pressure >= 0
+          ? boundary_pressures[face.unknown_pressure]
+          : step.load_factor * face.condition->normal.along_normal(
+                                   coordinates(undeformed.place).data(), step.balance_time);
   return point;
 }
 
@@ -55,22 +55,24 @@ FlowFacePoint<dim> FacePoints<dim>::of_flow(const TermFace<dim> &face,
                                             const Material &liquid,
                                             const CellState<dim> &state) const
 {
-  const DeformedFacePoint<dim> &at_rest = face.points[q];
+  const DeformedFacePoint<dim> &undeformed = face.points[q];
   const bool moves = state.mesh_displacement != nullptr;
   const Tensor<1, 3> area =
-      moves ? at_rest.kinematics(*state.mesh_displacement).area(at_rest.area) : at_rest.area;
+      moves ? undeformed.kinematics(*state.mesh_displacement).area(undeformed.area)
+            : undeformed.area;
   FlowFacePoint<dim> point;
   point.weight = area.norm();
   for (unsigned int c = 0; c < dim; ++c)
     point.normal[c] = area[c] / point.weight;
   if (face.unknown_pressure >= 0 || face.has_traction)
     point.traction = traction(
-        face, moves ? at_rest.place + at_rest.value_of(*state.mesh_displacement) : at_rest.place,
+        face,
+        moves ? undeformed.place + undeformed.value_of(*state.mesh_displacement) : undeformed.place,
         point.normal);
-  point.velocity = at_rest.value_of(state.velocity);
+  point.velocity = undeformed.value_of(state.velocity);
   point.through = point.velocity * point.normal;
   if (moves)
-    point.through -= at_rest.value_of(*state.mesh_velocity) * point.normal;
+    point.through -= undeformed.value_of(*state.mesh_velocity) * point.normal;
   if (!face.has_total_pressure)
     return point;
   double pressure = 0.;

@@ -70,17 +70,17 @@ void FlowCell<dim>::move_points()
 {
   for (unsigned int q = 0; q < moved_points.size(); ++q)
   {
-    const typename Cell::Point &at_rest = present->points[q];
+    const typename Cell::Point &undeformed = present->points[q];
     Tensor<2, dim> gradient;
     for (unsigned int c = 0; c < dim; ++c)
     {
-      gradient[c] = displacement_at_points.gradient(c, q, at_rest.inverse_jacobian);
+      gradient[c] = displacement_at_points.gradient(c, q, undeformed.inverse_jacobian);
       gradient[c][c] += 1.;
     }
-    const double stretch = 1. + displacement_at_points.value(1, q) * at_rest.hoop;
-    moved_points[q].weight = at_rest.weight * determinant(gradient) * stretch;
-    moved_points[q].hoop = at_rest.hoop / stretch;
-    moved_points[q].inverse_jacobian = at_rest.inverse_jacobian * invert(gradient);
+    const double stretch = 1. + displacement_at_points.value(1, q) * undeformed.hoop;
+    moved_points[q].weight = undeformed.weight * determinant(gradient) * stretch;
+    moved_points[q].hoop = undeformed.hoop / stretch;
+    moved_points[q].inverse_jacobian = undeformed.inverse_jacobian * invert(gradient);
   }
 }
 

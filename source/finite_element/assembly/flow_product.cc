@@ -86,7 +86,7 @@ void FlowProduct<dim>::make(const QuadratureCells<dim> &cells,
 }
 
 template <int dim>
-void FlowProduct<dim>::set(const BalancedStep &balanced,
+void FlowProduct<dim>::set(const StepSolution &solution,
                            const DistributedVector &pressure,
                            const DistributedVector &pressure_rate)
 {
@@ -95,22 +95,22 @@ void FlowProduct<dim>::set(const BalancedStep &balanced,
     std::copy(from.begin(), from.end(), to.begin());
     to.update_ghost_values();
   };
-  take(balanced.velocity, state.velocity);
+  take(solution.velocity, state.velocity);
   if (problem.mesh_moves)
   {
-    take(balanced.mesh_displacement, state.mesh_displacement);
-    take(balanced.mesh_velocity, state.mesh_velocity);
+    take(solution.mesh_displacement, state.mesh_displacement);
+    take(solution.mesh_velocity, state.mesh_velocity);
   }
   if (has_compressible_liquid)
   {
-    take(balanced.acceleration, state.acceleration);
+    take(solution.acceleration, state.acceleration);
     // With the ghost entries, which end() leaves out.
     const unsigned int n_entries = pressure.trilinos_vector().MyLength();
     state.pressure.assign(pressure.begin(), pressure.begin() + n_entries);
     state.pressure_rate.assign(pressure_rate.begin(), pressure_rate.begin() + n_entries);
   }
-  state.acceleration_by_velocity = balanced.step.a0;
-  state.pressure_rate_by_pressure = 1. / balanced.step.pressure_time;
+  state.acceleration_by_velocity = solution.step.a0;
+  state.pressure_rate_by_pressure = 1. / solution.step.pressure_time;
   product->set(&state);
 }
 

@@ -145,7 +145,8 @@ template <int dim>
 void MetricHistory<dim>::predict(const Step &step)
 {
   // What the body comes to at rest does not depend on how long the steps on the way there are.
-  const double size = step.is_towards_rest ? std::numeric_limits<double>::infinity() : step.size();
+  const double size =
+      step.finds_steady_state ? std::numeric_limits<double>::infinity() : step.size();
   for (std::size_t region = 0; region < branches.size(); ++region)
     for (std::size_t k = 0; k < branches[region].size(); ++k)
     {

@@ -89,7 +89,7 @@ void NonlinearCellTerms<dim>::finish_rows(DistributedVector &momentum, Distribut
 
 template <int dim>
 void NonlinearCellTerms<dim>::add_powers(const unsigned int region,
-                                         const BalancedStep &state,
+                                         const StepSolution &state,
                                          const DistributedVector &of_velocity,
                                          const TermsTaken taken,
                                          NonlinearPowers &powers,
@@ -124,7 +124,7 @@ void NonlinearCellTerms<dim>::add_powers(const unsigned int region,
 }
 
 template <int dim>
-void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
+void NonlinearCellTerms<dim>::add_derivative(const StepSolution &state,
                                              const AffineConstraints<double> &constraints,
                                              EntrySums &matrix)
 {
@@ -153,7 +153,7 @@ void NonlinearCellTerms<dim>::add_derivative(const BalancedStep &state,
 
 template <int dim>
 void NonlinearCellTerms<dim>::visit_derivatives(
-    const BalancedStep &state,
+    const StepSolution &state,
     const std::function<void(const QuadratureCell<dim> &, const FullMatrix<double> &)> &take_matrix)
 {
   take(state);
@@ -207,7 +207,7 @@ void NonlinearCellTerms<dim>::set_rows(const double sign_of_volume)
 }
 
 template <int dim>
-void NonlinearCellTerms<dim>::keep_derivative(const BalancedStep &state, KeptDerivative /*form*/)
+void NonlinearCellTerms<dim>::keep_derivative(const StepSolution &state, KeptDerivative /*form*/)
 {
   take(state);
   cell_derivatives.resize(cells.all().size());

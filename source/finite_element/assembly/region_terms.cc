@@ -54,7 +54,7 @@ void RegionTerms<dim>::forget_derivative()
 }
 
 template <int dim>
-void RegionTerms<dim>::add(const BalancedStep &state,
+void RegionTerms<dim>::add(const StepSolution &state,
                            DistributedVector &momentum,
                            DistributedVector &mass)
 {
@@ -64,7 +64,7 @@ void RegionTerms<dim>::add(const BalancedStep &state,
 
 template <int dim>
 void RegionTerms<dim>::add_powers(const unsigned int region,
-                                  const BalancedStep &state,
+                                  const StepSolution &state,
                                   const DistributedVector &of_velocity,
                                   const TermsTaken taken,
                                   NonlinearPowers &powers,
@@ -149,10 +149,10 @@ void RegionTerms<dim>::take_own_state()
 }
 
 template <int dim>
-void RegionTerms<dim>::finish_step(const BalancedStep &balanced, const State &state)
+void RegionTerms<dim>::finish_step(const StepSolution &solution, const State &state)
 {
   for (const auto &of_model : terms)
-    of_model->finish_step(balanced, state);
+    of_model->finish_step(solution, state);
 }
 
 template <int dim>

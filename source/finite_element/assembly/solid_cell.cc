@@ -12,12 +12,12 @@ using namespace dealii;
 template <int dim>
 SolidCell<dim>::SolidCell(const Problem &problem,
                           const QuadratureCells<dim> &cells,
-                          const RestStates<dim> &rest_states,
+                          const StressFreeStates<dim> &stress_free_states,
                           const MetricHistory<dim> *const metrics,
                           const Vectors &vectors)
     : problem(problem),
       cells(cells),
-      rest_states(rest_states),
+      stress_free_states(stress_free_states),
       metrics(metrics),
       vectors(vectors),
       velocity_at_points(cells, ValuesAtPoints<dim>::Field::velocity, true),
@@ -35,7 +35,7 @@ SolidCell<dim>::SolidCell(const Problem &problem,
 template <int dim>
 void SolidCell<dim>::set_step(const Step &step)
 {
-  is_towards_rest = step.is_towards_rest;
+  finds_steady_state = step.finds_steady_state;
   finds_unloaded_shape = step.finds_unloaded_shape;
   scheme.displacement_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
   scheme.rate_by_velocity = step.a0;
@@ -49,7 +49,7 @@ void SolidCell<dim>::visit(const Cell &cell)
   present = &cell;
   const Material &solid = material();
   scheme.density = solid.density;
-  scheme.viscosity = is_towards_rest || finds_unloaded_shape ? 0. : solid.shear.viscosity;
+  scheme.viscosity = finds_steady_state || finds_unloaded_shape ? 0. : solid.shear.viscosity;
   scheme.inverse_bulk_modulus = solid.inverse_bulk_modulus();
   scheme.has_own_mean_stress = solid.strain_law->has_own_mean_stress();
   set_entries(cell.velocity_places, vectors.velocity, velocities);
@@ -63,7 +63,7 @@ void SolidCell<dim>::visit(const Cell &cell)
   pressure_at_points.set(pressures);
   pressure_rate_at_points.set(pressure_rates);
   if (finds_unloaded_shape)
-    rest_states.set_unloaded(cell, unloaded);
+    stress_free_states.set_unloaded(cell, unloaded);
 }
 
 template <int dim>
@@ -80,7 +80,7 @@ SolidAtPoints<dim> SolidCell<dim>::all_points() const
   all.geometry = present->points.data();
   all.scheme = scheme;
   all.law = material().strain_law.get();
-  all.rest = rest_states.at(*present, 0);
+  all.stress_free = stress_free_states.at(*present, 0);
   all.branches = relaxes() ? &metrics->predicted(number(), 0) : nullptr;
   all.has_mass_of_mesh = finds_unloaded_shape;
   all.velocity = velocity_at_points.numbers();
@@ -106,14 +106,14 @@ SolidPoint<dim> SolidCell<dim>::point(const unsigned int q, const Stress of_law)
       point.kinematics.gradient(velocity_at_points.space_gradient(q, geometry));
   point.pressure = pressure_at_points.value(0, q);
   point.pressure_rate = pressure_rate_at_points.value(0, q);
-  const RestState *const rest = rest_states.at(*present, q);
-  if (rest != nullptr)
-    point.rest_ratio = rest->volume_ratio;
+  const StressFreeState *const stress_free = stress_free_states.at(*present, q);
+  if (stress_free != nullptr)
+    point.stress_free_ratio = stress_free->volume_ratio;
   // A step that finds the unloaded shape ends at rest, whatever the mass on the way there.
-  point.mass_ratio = finds_unloaded_shape ? 1. : point.rest_ratio;
-  if (!(std::min(point.volume_ratio(), point.rest_ratio) > 0.))
+  point.mass_ratio = finds_unloaded_shape ? 1. : point.stress_free_ratio;
+  if (!(std::min(point.volume_ratio(), point.stress_free_ratio) > 0.))
     return point;
-  set_strain(rest, point);
+  set_strain(stress_free, point);
   if (of_law == Stress::alone)
     set_stress(q, point);
   else if (of_law == Stress::with_tangent)
@@ -131,15 +131,16 @@ SolidPoint<dim> SolidCell<dim>::point(const unsigned int q, const Stress of_law)
 }
 
 template <int dim>
-void SolidCell<dim>::set_strain(const RestState *const rest, const SolidPoint<dim> &point)
+void SolidCell<dim>::set_strain(const StressFreeState *const stress_free,
+                                const SolidPoint<dim> &point)
 {
   strain_at_point.gradient = point.kinematics.deformation_gradient();
   strain_at_point.determinant = point.volume_ratio();
-  if (rest == nullptr)
+  if (stress_free == nullptr)
     return;
-  strain_at_point.fibres = rest->fibres;
-  strain_at_point.gradient = strain_at_point.gradient * rest->prestretch;
-  strain_at_point.determinant /= rest->volume_ratio;
+  strain_at_point.fibres = stress_free->fibres;
+  strain_at_point.gradient = strain_at_point.gradient * stress_free->prestretch;
+  strain_at_point.determinant /= stress_free->volume_ratio;
 }
 
 template <int dim>
@@ -156,7 +157,7 @@ void SolidCell<dim>::set_stress(const unsigned int q, SolidPoint<dim> &point) co
     MetricStress(metrics->predicted(number(), q)).set_stress(strain_at_point, of_branches);
     point.stress += of_branches;
   }
-  point.stress *= point.rest_ratio;
+  point.stress *= point.stress_free_ratio;
 }
 
 template <int dim>
@@ -172,8 +173,8 @@ void SolidCell<dim>::set_tangent(const unsigned int q, SolidPoint<dim> &point) c
     point.stress += of_branches;
     point.tangent += tangent_of_branches;
   }
-  point.stress *= point.rest_ratio;
-  point.tangent *= point.rest_ratio;
+  point.stress *= point.stress_free_ratio;
+  point.tangent *= point.stress_free_ratio;
 }
 
 template <int dim>

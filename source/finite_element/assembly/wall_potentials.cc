@@ -108,7 +108,7 @@ void WallPotentials<dim>::reinit()
               space.velocity_element.system_to_component_index(j).first)
             for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
               of_cell(i, j) += values.shape_grad(i, q) * values.shape_grad(j, q) * values.JxW(q) *
-                               space.measure(values.quadrature_point(q));
+                               space.circumference(values.quadrature_point(q));
       cell->get_dof_indices(indices);
       constraints.distribute_local_to_global(of_cell, nothing, indices, matrix, right_side);
     }

@@ -183,9 +183,10 @@ prescribed_directions(const BoundaryCondition &condition, const Tensor<1, dim> &
   const bool normal = condition.normal.kind == BoundaryPart::Kind::velocity;
   const bool tangential = condition.tangential.kind == BoundaryPart::Kind::velocity;
   std::vector<std::pair<const BoundaryPart *, Tensor<1, dim>>> asked;
-  const bool whole_vector = normal && tangential && condition.normal.along_normal.is_zero() &&
-                            condition.normal.vector.size() == condition.tangential.vector.size();
-  if (whole_vector)
+  const bool prescribes_vector =
+      normal && tangential && condition.normal.along_normal.is_zero() &&
+      condition.normal.vector.size() == condition.tangential.vector.size();
+  if (prescribes_vector)
     // Both halves are of one vector: its Cartesian components, free of round-off from normals.
     for (unsigned int c = 0; c < dim; ++c)
     {

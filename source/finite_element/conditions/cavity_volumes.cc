@@ -119,10 +119,10 @@ template <int dim>
 Tensor<1, 3> CavityVolumes<dim>::flux_vector(const DeformedFacePoint<dim> &point,
                                              const Vector<double> &displacement) const
 {
-  const Tensor<1, dim> way = point.value_of(displacement);
+  const Tensor<1, dim> shift = point.value_of(displacement);
   Tensor<1, 3> vector;
   for (unsigned int c = 0; c < dim; ++c)
-    vector[c] = flux_factor(c) * (point.place[c] + way[c]);
+    vector[c] = flux_factor(c) * (point.place[c] + shift[c]);
   return vector;
 }
 

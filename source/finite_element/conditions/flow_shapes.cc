@@ -56,7 +56,7 @@ nodal_flow_shapes(const Space<dim> &space, const BoundaryCondition &condition)
           for (unsigned int i = 0; i < local.size(); ++i)
             if (space.velocity_element.system_to_component_index(i).first == 0)
               local[i] += values.shape_value(i, q) * values.JxW(q) *
-                          space.measure(values.quadrature_point(q));
+                          space.circumference(values.quadrature_point(q));
         cell->get_dof_indices(cell_dofs);
         space.velocity_hanging.distribute_local_to_global(local, cell_dofs, flow_of_node);
       }

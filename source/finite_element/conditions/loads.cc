@@ -76,7 +76,7 @@ void Loads<dim>::integrate(const Item &item,
       const Point<dim> &point = values.quadrature_point(q);
       const double amplitude =
           waveform == nullptr ? 1. : (*waveform)(coordinates(point).data(), time);
-      direction *= item.sign * density * amplitude * values.JxW(q) * space.measure(point);
+      direction *= item.sign * density * amplitude * values.JxW(q) * space.circumference(point);
       for (unsigned int i = 0; i < n_velocity; ++i)
         local[i] += values.shape_value(i, q) *
                     direction[space.velocity_element.system_to_component_index(i).first];

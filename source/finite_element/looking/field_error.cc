@@ -37,7 +37,7 @@ FieldError<dim>::FieldError(const Space<dim> &space,
       hp_pressure_values(
           space.mappings, space.pressure_elements, hp::QCollection<dim>(quadrature), update_values),
       indices(space.velocity_element.n_dofs_per_cell()),
-      ways(quadrature.size(), Vector<double>(dim)),
+      displacements(quadrature.size(), Vector<double>(dim)),
       vector_values(quadrature.size(), Vector<double>(dim)),
       pressures(quadrature.size(), Vector<double>(space.pressure_elements.n_components())),
       gradients(quadrature.size(), std::vector<Tensor<1, dim>>(dim))
@@ -61,7 +61,7 @@ void FieldError<dim>::take(const Cell &cell)
     values.get_function_gradients(vectors[region], gradients);
   if (moves)
   {
-    values.get_function_values(displacement, ways);
+    values.get_function_values(displacement, displacements);
     cell->get_dof_indices(indices);
   }
 }
@@ -102,7 +102,7 @@ double FieldError<dim>::norm(const std::vector<Expression> &exact, const double 
         const Point<dim> &point = values.quadrature_point(q);
         double coordinates[3] = {0., 0., 0.};
         for (unsigned int c = 0; c < dim; ++c)
-          coordinates[c] = point[c] + ways[q][c];
+          coordinates[c] = point[c] + displacements[q][c];
         const double stretch =
             moves ? kinematics_at(space, values, q, indices, displacement).volume_ratio() : 1.;
         const std::array<double, 6> present = components(cell->material_id(), q);
@@ -112,7 +112,7 @@ double FieldError<dim>::norm(const std::vector<Expression> &exact, const double 
           const double difference = present[c] - exact[c](coordinates, time);
           square += difference * difference;
         }
-        sum += square * stretch * values.JxW(q) * space.measure(point);
+        sum += square * stretch * values.JxW(q) * space.circumference(point);
       }
     }
   return std::sqrt(Utilities::MPI::sum(sum, space.communicator));

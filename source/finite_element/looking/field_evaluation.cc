@@ -194,7 +194,7 @@ double FieldEvaluation<dim>::add_boundary(const ProbeRequest<dim> &request,
               f);
           std::vector<double> weights;
           for (const unsigned int q : values.quadrature_point_indices())
-            weights.push_back(values.JxW(q) * space.measure(values.quadrature_point(q)));
+            weights.push_back(values.JxW(q) * space.circumference(values.quadrature_point(q)));
           for (const unsigned int q : values.quadrature_point_indices())
           {
             area += weights[q];
@@ -224,7 +224,7 @@ double FieldEvaluation<dim>::add_section(const ProbeRequest<dim> &request,
     std::vector<SampledShare> shares;
     for (unsigned int q = 0; q < weights.size(); ++q)
     {
-      weights[q] *= space.measure(part.points[q]);
+      weights[q] *= space.circumference(part.points[q]);
       shares.push_back(
           share(request, field, part.normals.empty() ? Tensor<1, dim>() : part.normals[q]));
     }
@@ -254,7 +254,7 @@ double FieldEvaluation<dim>::add_volume(const ProbeRequest<dim> &request,
           &space.triangulation, cell->level(), cell->index(), &space.pressure_dofs));
       std::vector<double> weights;
       for (const unsigned int q : values.quadrature_point_indices())
-        weights.push_back(values.JxW(q) * space.measure(values.quadrature_point(q)));
+        weights.push_back(values.JxW(q) * space.circumference(values.quadrature_point(q)));
       for (const unsigned int q : values.quadrature_point_indices())
       {
         volume += weights[q];
@@ -284,7 +284,7 @@ double FieldEvaluation<dim>::add_interface(const ProbeRequest<dim> &request,
         cell->get_dof_indices(indices);
         for (const unsigned int q : values.quadrature_point_indices())
         {
-          const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+          const double weight = values.JxW(q) * space.circumference(values.quadrature_point(q));
           area += weight;
           for (unsigned int i = 0; i < indices.size(); ++i)
           {

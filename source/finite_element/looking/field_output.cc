@@ -1,7 +1,7 @@
 #include <continua/finite_element/looking/field_output.h>
 
-#include <continua/continuum/rest_state.h>
 #include <continua/continuum/stress_and_strain.h>
+#include <continua/continuum/stress_free_state.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature.h>
@@ -303,7 +303,7 @@ void FieldOutput<dim>::set_finite_stresses(const FEValues<dim> &values,
       of_branches = MetricHistory<dim>::mixture_at(
           metrics->weights_at(values.get_cell(), values.get_quadrature().point(q)), metric_mixture);
     stresses[q] =
-        finite_stress(material, rest_state_at(material, directions[q], 1., of_unloaded[q]),
+        finite_stress(material, stress_free_state_at(material, directions[q], 1., of_unloaded[q]),
                       Kinematics(of_displacement[q]), of_velocity[q],
                       pressures[q][space.pressure_component(region)], of_branches);
   }

@@ -1,7 +1,7 @@
 #include <continua/finite_element/looking/field_samples.h>
 
-#include <continua/continuum/rest_state.h>
 #include <continua/continuum/stress_and_strain.h>
+#include <continua/continuum/stress_free_state.h>
 
 #include <algorithm>
 #include <numeric>
@@ -163,7 +163,7 @@ double FieldSamples<dim>::weight(const SampledState<dim> &state, const unsigned 
 {
   using Kind = SampledShare::Kind;
   const SamplePoint &point = points[number];
-  if (point.share.kind == Kind::at_rest)
+  if (point.share.kind == Kind::undeformed)
     return point.weight;
   const Kinematics motion = kinematics_at(point, state);
   switch (point.share.kind)
@@ -194,24 +194,25 @@ Kinematics FieldSamples<dim>::kinematics_at(const SamplePoint &point,
 }
 
 template <int dim>
-RestState FieldSamples<dim>::rest_state(const SamplePoint &point,
-                                        const SampledState<dim> &state) const
+StressFreeState FieldSamples<dim>::stress_free_state(const SamplePoint &point,
+                                                     const SampledState<dim> &state) const
 {
-  const auto whole = [&](const DistributedVector &vector)
+  const auto gradient_of = [&](const DistributedVector &vector)
   {
     const Tensor<2, dim> in_place = gradient(point, vector);
     return whole_gradient<dim>(in_place, hoop(point, vector, in_place));
   };
   const Material &material = problem.materials[point.region];
-  return rest_state_at(
+  return stress_free_state_at(
       material,
       has_directions(material)
           ? problem.wall_directions.find(problem.model, point.place,
                                          problem.wall_directions.has_potentials()
-                                             ? whole(state.wall_potentials)
+                                             ? gradient_of(state.wall_potentials)
                                              : Tensor<2, 3>())
           : TubeDirections(),
-      1., problem.finds_unloaded_shape() ? whole(state.unloaded_displacement) : Tensor<2, 3>());
+      1.,
+      problem.finds_unloaded_shape() ? gradient_of(state.unloaded_displacement) : Tensor<2, 3>());
 }
 
 template <int dim>
@@ -223,7 +224,7 @@ std::array<double, 6> FieldSamples<dim>::stress_at(const SamplePoint &point,
     const Material &material = problem.materials[point.region];
     const Tensor<2, dim> of_velocity = gradient(point, state.velocity);
     return finite_stress(
-        material, rest_state(point, state), kinematics_at(point, state),
+        material, stress_free_state(point, state), kinematics_at(point, state),
         whole_gradient<dim>(of_velocity, hoop(point, state.velocity, of_velocity)),
         pressure_at(point, state),
         MetricHistory<dim>::mixture_at(point.metric_weights, state.metric_mixture));
@@ -306,10 +307,10 @@ Tensor<1, dim> FieldSamples<dim>::normal_at(const SamplePoint &point,
 {
   if (!problem.is_deformed(point.region))
     return point.normal;
-  Tensor<1, 3> at_rest;
+  Tensor<1, 3> undeformed;
   for (unsigned int c = 0; c < dim; ++c)
-    at_rest[c] = point.normal[c];
-  const Tensor<1, 3> area = kinematics_at(point, state).area(at_rest);
+    undeformed[c] = point.normal[c];
+  const Tensor<1, 3> area = kinematics_at(point, state).area(undeformed);
   Tensor<1, dim> normal;
   for (unsigned int c = 0; c < dim; ++c)
     normal[c] = area[c] / area.norm();

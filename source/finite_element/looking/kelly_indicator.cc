@@ -107,7 +107,7 @@ private:
     for (unsigned int q = 0; q < n_points; ++q)
     {
       Tensor<1, dim> along = values.normal_vector(q);
-      face_weights[q] = values.JxW(q) * space.measure(values.quadrature_point(q));
+      face_weights[q] = values.JxW(q) * space.circumference(values.quadrature_point(q));
       if (mesh_displacement != nullptr)
         move(kinematics_at(space, motion_values, q, indices, *mesh_displacement), along,
              face_weights[q]);

@@ -21,8 +21,8 @@ std::array<double, 6> wall_shear_factors(const Tensor<1, dim> &normal, const uns
   {
     std::array<double, 6> unit = {{0., 0., 0., 0., 0., 0.}};
     unit[k] = 1.;
-    const Tensor<1, dim> whole = traction<dim>(unit, normal);
-    factors[k] = (whole * normal) * normal[component] - whole[component];
+    const Tensor<1, dim> full_traction = traction<dim>(unit, normal);
+    factors[k] = (full_traction * normal) * normal[component] - full_traction[component];
   }
   return factors;
 }

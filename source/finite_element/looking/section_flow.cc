@@ -202,7 +202,7 @@ SectionFlow<dim>::factors(const Ramps &ramps,
                 const Point<dim> &x = values.quadrature_point(q);
                 const Tensor<1, dim> along = direction(x);
                 for (unsigned int i = 0; i < n; ++i)
-                  own_areas[i] -= gradients[i][q] * along * values.JxW(q) * space.measure(x);
+                  own_areas[i] -= gradients[i][q] * along * values.JxW(q) * space.circumference(x);
               }
             });
   Utilities::MPI::sum(own_areas, space.communicator, areas);
@@ -225,7 +225,8 @@ SectionFlow<dim>::factors(const Ramps &ramps,
                 const Point<dim> &x = values.quadrature_point(q);
                 const double s = distance(x) / ramps.width;
                 const Tensor<1, dim> along = direction(x);
-                const double share = values.JxW(q) * space.measure(x) / (area[0] + area[1] * s);
+                const double share =
+                    values.JxW(q) * space.circumference(x) / (area[0] + area[1] * s);
                 for (unsigned int i = 0; i < n; ++i)
                   for (unsigned int k = 1; k < n; ++k)
                     own_moments[k * n + i] -= share * (gradients[i][q] * along) * std::pow(s, k);
@@ -310,7 +311,7 @@ bool SectionFlow<dim>::add_weights(DistributedVector &weights,
               std::vector<Tensor<1, dim>> slopes = gradients.front();
               for (const unsigned int q : values.quadrature_point_indices())
               {
-                slopes[q] *= values.JxW(q) * space.measure(values.quadrature_point(q));
+                slopes[q] *= values.JxW(q) * space.circumference(values.quadrature_point(q));
                 if (mesh_displacement == nullptr)
                   continue;
                 // grad q dv = J F^-T Grad q dV.

@@ -73,7 +73,7 @@ public:
     return compute(cell, subface_values, pressure_subface_values.get_present_fe_values());
   }
   // Of the face or child looked at last.
-  const FEValuesBase<dim> &at_rest() const { return *last_values; }
+  const FEValuesBase<dim> &undeformed() const { return *last_values; }
   const Tensor<1, dim> &normal(const unsigned int q) const { return normals[q]; }
   /// Of a mesh that moves the present one.
   const Point<dim> &place(const unsigned int q) const { return places[q]; }
@@ -111,7 +111,7 @@ private:
     {
       normals[q] = fe_values.normal_vector(q);
       places[q] = fe_values.quadrature_point(q);
-      face_weights[q] = fe_values.JxW(q) * space.measure(fe_values.quadrature_point(q));
+      face_weights[q] = fe_values.JxW(q) * space.circumference(fe_values.quadrature_point(q));
     }
     if (problem.is_deformed(cell->material_id()))
       compute_deformed(cell, fe_values, pressure_values);
@@ -254,7 +254,7 @@ void traction_jump_indicators(const Space<dim> &space,
           const BoundaryCondition &condition =
               *condition_of.at({cell->face(f)->boundary_id(), cell->material_id()});
           const auto &present = here.face(cell, f);
-          const FEValuesBase<dim> &values = here.at_rest();
+          const FEValuesBase<dim> &values = here.undeformed();
           if (condition.is_supported())
           {
             displacements.assign(values.n_quadrature_points, Vector<double>(dim));
@@ -268,7 +268,7 @@ void traction_jump_indicators(const Space<dim> &space,
             if (!(here.weight(q) > 0.))
               continue;
             const Tensor<1, dim> &normal = here.normal(q),
-                                 &normal_at_rest = values.normal_vector(q);
+                                 &undeformed_normal = values.normal_vector(q);
             const Point<dim> &place = values.quadrature_point(q);
             Tensor<1, dim> difference;
             // Only the halves that are given as a traction can be missed.
@@ -286,12 +286,12 @@ void traction_jump_indicators(const Space<dim> &space,
             {
               // A pressure acts on the present area, all else on that at rest.
               const double pressure = prescribed_pressure(condition, place, time);
-              Tensor<1, dim> dead = given(place, normal_at_rest) + pressure * normal_at_rest;
+              Tensor<1, dim> dead = given(place, undeformed_normal) + pressure * undeformed_normal;
               if (condition.is_supported())
                 dead +=
-                    support_traction(condition, normal_at_rest, displacements[q], velocities[q]);
-              const double area_at_rest = values.JxW(q) * space.measure(place);
-              difference -= area_at_rest / here.weight(q) * dead - pressure * normal;
+                    support_traction(condition, undeformed_normal, displacements[q], velocities[q]);
+              const double undeformed_area = values.JxW(q) * space.circumference(place);
+              difference -= undeformed_area / here.weight(q) * dead - pressure * normal;
             }
             square += length * difference.norm_square() * here.weight(q);
           }

@@ -76,13 +76,13 @@ void LiquidBalance<dim>::reinit()
 }
 
 template <int dim>
-double LiquidBalance<dim>::rate(const BalancedStep &balanced)
+double LiquidBalance<dim>::rate(const StepSolution &solution)
 {
-  space.copy_velocity(balanced.mesh_displacement, displacement);
-  DistributedVector relative = balanced.velocity;
-  relative.add(-1., balanced.mesh_velocity);
+  space.copy_velocity(solution.mesh_displacement, displacement);
+  DistributedVector relative = solution.velocity;
+  relative.add(-1., solution.mesh_velocity);
   space.copy_velocity(relative, velocity);
-  space.copy_pressure(balanced.pressure, pressure);
+  space.copy_pressure(solution.pressure, pressure);
   double sum = 0.;
   for (const Face &face : faces)
   {
@@ -106,11 +106,11 @@ double LiquidBalance<dim>::rate(const BalancedStep &balanced)
 }
 
 template <int dim>
-void LiquidBalance<dim>::finish_step(const BalancedStep &balanced)
+void LiquidBalance<dim>::finish_step(const StepSolution &solution)
 {
-  const BranchCoefficients c = balanced.step.branch(std::numeric_limits<double>::infinity());
-  double at_level = c.old * inflow + c.older * older_inflow + c.velocity * rate(balanced);
-  if (balanced.step.extrapolate)
+  const BranchCoefficients c = solution.step.branch(std::numeric_limits<double>::infinity());
+  double at_level = c.old * inflow + c.older * older_inflow + c.velocity * rate(solution);
+  if (solution.step.extrapolate)
     at_level = 2. * at_level - inflow;
   older_inflow = inflow;
   inflow = at_level;

@@ -27,7 +27,7 @@ namespace
 {
 /// Tolerances of the residual over the right side. Changes belong to directions of a Krylov
 /// iteration, and are wanted to its tolerance.
-constexpr double tolerance_of_step = 1e-10, tolerance_from_rest = 1e-12,
+constexpr double tolerance_of_step = 1e-10, tolerance_from_undeformed = 1e-12,
                  largest_change_tolerance = 1e-2;
 /// Of a normal: a plane face normal to an axis.
 constexpr double largest_tilt = 1e-10;
@@ -436,12 +436,12 @@ void MeshMotion<dim>::linearise()
   }
   else
     begin_triplets(triplets);
-  FullMatrix<double> whole;
+  FullMatrix<double> all_entries;
   for (std::size_t k = 0; k < matrices.size(); ++k)
   {
     const Cell &cell = cells.all()[k];
     // Only cells with motion that is known need theirs again.
-    FullMatrix<double> &matrix = has_known[k] ? matrices[k] : whole;
+    FullMatrix<double> &matrix = has_known[k] ? matrices[k] : all_entries;
     set_entries(cell.velocity_places, ghosted, cell_displacement);
     integrate(cell, stiffness[k], matrix);
     if (multigrid != nullptr)
@@ -491,27 +491,29 @@ void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
                              DistributedVector &mesh_displacement)
 {
   // The elastic extension is linear from the mesh at rest on.
-  const bool from_rest = kind == MeshMotionKind::elastic;
+  const bool from_undeformed = kind == MeshMotionKind::elastic;
   for (unsigned int i = 0; i < is_of_solid.size(); ++i)
     known.begin()[i] =
-        is_of_solid[i] ? solid_displacement.begin()[i] - (from_rest ? 0. : present.begin()[i]) : 0.;
+        is_of_solid[i] ? solid_displacement.begin()[i] - (from_undeformed ? 0. : present.begin()[i])
+                       : 0.;
   for (std::size_t k = 0; k < followers.size(); ++k)
   {
     const unsigned int i = followers[k].index;
-    known.begin()[i] = followed[k] - (from_rest ? 0. : present.begin()[i]);
+    known.begin()[i] = followed[k] - (from_undeformed ? 0. : present.begin()[i]);
   }
   DistributedVector &rows = mesh_displacement;
   rows.equ(1., right_side);
   subtract_known(rows);
   if (is_iterative())
   {
-    solve_iteratively(last_extension, rows, from_rest ? tolerance_from_rest : tolerance_of_step);
+    solve_iteratively(last_extension, rows,
+                      from_undeformed ? tolerance_from_undeformed : tolerance_of_step);
     mesh_displacement.equ(1., last_extension);
   }
   else
     solve_by_factor(mesh_displacement);
   mesh_displacement.add(1., known);
-  if (!from_rest)
+  if (!from_undeformed)
     mesh_displacement.add(1., present);
   space.set_hanging_velocities_to_zero(mesh_displacement);
 }
@@ -568,13 +570,15 @@ void MeshMotion<dim>::set_change(const Step &step,
   of_mesh_displacement = 0.;
   if (step.finds_unloaded_shape)
     return;
-  const double way_by_velocity = step.branch(std::numeric_limits<double>::infinity()).velocity;
+  const double displacement_by_velocity =
+      step.branch(std::numeric_limits<double>::infinity()).velocity;
   for (unsigned int i = 0; i < is_of_solid.size(); ++i)
-    known.begin()[i] = is_of_solid[i] ? way_by_velocity * of_velocity.begin()[i] : 0.;
+    known.begin()[i] = is_of_solid[i] ? displacement_by_velocity * of_velocity.begin()[i] : 0.;
   for (const Follower &follower : followers)
-    known.begin()[follower.index] = problem.conditions[follower.condition].mesh_velocity.empty()
-                                        ? way_by_velocity * of_velocity.begin()[follower.index]
-                                        : 0.;
+    known.begin()[follower.index] =
+        problem.conditions[follower.condition].mesh_velocity.empty()
+            ? displacement_by_velocity * of_velocity.begin()[follower.index]
+            : 0.;
   subtract_known(of_mesh_displacement);
   if (is_iterative())
   {
@@ -603,7 +607,7 @@ void MeshMotion<dim>::forget_solver()
 }
 
 template <int dim>
-void MeshMotion<dim>::move(BalancedStep &state)
+void MeshMotion<dim>::move(StepSolution &state)
 {
   if (state.step.finds_unloaded_shape)
   {
@@ -612,7 +616,7 @@ void MeshMotion<dim>::move(BalancedStep &state)
     state.mesh_velocity = 0.;
     return;
   }
-  const double way_by_velocity =
+  const double displacement_by_velocity =
       state.step.branch(std::numeric_limits<double>::infinity()).velocity;
   for (std::size_t k = 0; k < followers.size(); ++k)
   {
@@ -621,20 +625,20 @@ void MeshMotion<dim>::move(BalancedStep &state)
     const double velocity =
         given.empty() ? state.velocity.begin()[follower.index]
                       : given[follower.component](follower.place.data(), state.step.balance_time);
-    followed[k] = predicted.begin()[follower.index] + way_by_velocity * velocity;
+    followed[k] = predicted.begin()[follower.index] + displacement_by_velocity * velocity;
   }
   extend(state.displacement, state.mesh_displacement);
-  const double factor_of_velocity = 1. / way_by_velocity;
+  const double factor_of_velocity = 1. / displacement_by_velocity;
   state.mesh_velocity.equ(factor_of_velocity, state.mesh_displacement);
   state.mesh_velocity.add(-factor_of_velocity, predicted);
 }
 
 template <int dim>
-void MeshMotion<dim>::finish_step(const BalancedStep &balanced)
+void MeshMotion<dim>::finish_step(const StepSolution &step_solution)
 {
   older.swap(present);
-  present.equ(1., balanced.mesh_displacement);
-  if (balanced.step.extrapolate)
+  present.equ(1., step_solution.mesh_displacement);
+  if (step_solution.step.extrapolate)
   {
     present *= 2.;
     present.add(-1., older);
@@ -648,9 +652,9 @@ void MeshMotion<dim>::finish_step(const BalancedStep &balanced)
     worst_of_steps = of_step;
     worst_of_steps.time = time;
   };
-  take(last, balanced.step.balance_time);
-  if (balanced.step.extrapolate)
-    take(quality(present), balanced.step.time);
+  take(last, step_solution.step.balance_time);
+  if (step_solution.step.extrapolate)
+    take(quality(present), step_solution.step.time);
 }
 
 template <int dim>

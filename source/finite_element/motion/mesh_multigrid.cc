@@ -23,7 +23,7 @@ MeshMultigrid<dim>::MeshMultigrid(const Space<dim> &space, const Input &input)
           input.instruction_set,
           {space.mapping, space.velocity_dofs, input.constraints, space.velocity_hanging,
            space.is_axisymmetric(), input.is_hyperelastic, input.stiffness, input.has_given})),
-      product_at_rest(make_matrix_free_product<dim, float>(
+      undeformed_product(make_matrix_free_product<dim, float>(
           input.instruction_set,
           {space.mapping, space.velocity_dofs, input.constraints, space.is_axisymmetric()}))
 {
@@ -59,11 +59,11 @@ void MeshMultigrid<dim>::make_cycle(const Space<dim> &space, const Input &input)
   coefficients.stiffness_of_cells = coefficients.volumetric_of_cells = input.stiffness;
   for (double &lambda : coefficients.volumetric_of_cells)
     lambda *= input.is_hyperelastic ? mean_of_hyperelastic : mean_of_elastic;
-  product_at_rest->set(coefficients);
-  product_at_rest->restrict_to(is_of_body);
+  undeformed_product->set(coefficients);
+  undeformed_product->restrict_to(is_of_body);
   for (typename Product::Vector *const vector : {&cycle_source, &cycle_solution})
-    product_at_rest->initialise(*vector);
-  product_at_rest->find_diagonal(cycle_solution);
+    undeformed_product->initialise(*vector);
+  undeformed_product->find_diagonal(cycle_solution);
 
   linear = std::make_unique<LinearVelocities<dim>>(space, input.constraints, is_of_body);
   TrilinosWrappers::SparseMatrix coarse_matrix;
@@ -76,7 +76,7 @@ void MeshMultigrid<dim>::make_cycle(const Space<dim> &space, const Input &input)
   cycle = std::make_unique<PolynomialCycle<dim>>(
       space, input.constraints, *linear, is_of_body, input.n_regions,
       [this](typename Product::Vector &to, const typename Product::Vector &from)
-      { product_at_rest->multiply(to, from); },
+      { undeformed_product->multiply(to, from); },
       cycle_solution, coarse_matrix,
       most_bytes_of_factor * static_cast<double>(space.velocity_dofs.n_dofs()));
 }

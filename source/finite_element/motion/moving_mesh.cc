@@ -42,7 +42,7 @@ void MovingMesh<dim>::begin_step(const Step &step)
 }
 
 template <int dim>
-void MovingMesh<dim>::check(const BalancedStep &state)
+void MovingMesh<dim>::check(const StepSolution &state)
 {
   const MeshQuality quality = motion.quality(state.mesh_displacement);
   if (quality.least_volume_ratio > 0.)
@@ -57,16 +57,16 @@ void MovingMesh<dim>::check(const BalancedStep &state)
 }
 
 template <int dim>
-void MovingMesh<dim>::finish_step(const BalancedStep &balanced)
+void MovingMesh<dim>::finish_step(const StepSolution &solution)
 {
-  motion.finish_step(balanced);
-  liquid_balance.finish_step(balanced);
+  motion.finish_step(solution);
+  liquid_balance.finish_step(solution);
   const MeshQuality &worst = motion.worst();
   if (worst.least_volume_ratio >= least_good_volume_ratio || warning_was_given)
     return;
   warning_was_given = true;
   std::ostringstream text;
-  text << "at t = " << balanced.step.time << " s the mesh is compressed " << worst.place
+  text << "at t = " << solution.step.time << " s the mesh is compressed " << worst.place
        << (worst.place.empty() ? "to " : " to ") << worst.least_volume_ratio
        << " of its volume at rest; below " << least_good_volume_ratio
        << " results there lose digits, and at 0 the run ends";

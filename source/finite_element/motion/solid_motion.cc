@@ -93,7 +93,7 @@ void SolidMotion<dim>::measure_liquid()
   {
     double size = 0.;
     for (const unsigned int q : present.quadrature_point_indices())
-      size += present.JxW(q) * space.measure(present.quadrature_point(q));
+      size += present.JxW(q) * space.circumference(present.quadrature_point(q));
     return size;
   };
   liquid = {};

@@ -242,7 +242,7 @@ void LinearVelocities<dim>::assemble(
     of_cell = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
     {
-      const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+      const double weight = values.JxW(q) * space.circumference(values.quadrature_point(q));
       for (unsigned int i = 0; i < n_dofs; ++i)
       {
         const unsigned int c = component[i];

@@ -213,7 +213,7 @@ void CellMatrices<dim>::integrate(
   pressure_mass.reinit(n_pressure, n_pressure);
   for (unsigned int q = 0; q < quadrature.size(); ++q)
   {
-    const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+    const double weight = values.JxW(q) * space.circumference(values.quadrature_point(q));
     set_traces(q);
     if (with_velocity_products)
       add_velocity_products(q, weight);

@@ -71,7 +71,7 @@ public:
     for (const unsigned int q : values.quadrature_point_indices())
     {
       const Tensor<1, dim> &normal = values.normal_vector(q);
-      const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+      const double weight = values.JxW(q) * space.circumference(values.quadrature_point(q));
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
         {

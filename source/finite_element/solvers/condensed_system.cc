@@ -332,7 +332,7 @@ void assemble_volumetric_stiffness(const Space<dim> &space,
       matrix = 0.;
       for (const unsigned int q : values.quadrature_point_indices())
       {
-        const double weight = values.JxW(q) * space.measure(values.quadrature_point(q));
+        const double weight = values.JxW(q) * space.circumference(values.quadrature_point(q));
         for (unsigned int i = 0; i < n_dofs; ++i)
         {
           const unsigned int c = space.velocity_element.system_to_component_index(i).first;

@@ -44,7 +44,7 @@ LinearSystems<dim>::LinearSystems(const Space<dim> &space,
          << memory_text(bytes);
     log.note(text.str());
   };
-  // A search for rest makes many factors; the first one that fails stands for all.
+  // A search for a steady state makes many factors; the first one that fails stands for all.
   system.announce_pivots = [&log, is_said = false](const std::string &name) mutable
   {
     if (!std::exchange(is_said, true))
@@ -177,13 +177,13 @@ void LinearSystems<dim>::solve_iterative_tangent(DistributedVector &momentum,
         // The symmetric system has the negative of the mass equation.
         mass_rows.add(-1., tangent_mass);
       },
-      problem.has_regions_of(RegionModel::finite_solid) ? FurtherTerms::finite_deformation
-                                                        : FurtherTerms::convection,
+      problem.has_regions_of(RegionModel::finite_solid) ? TangentTerms::finite_deformation
+                                                        : TangentTerms::convection,
       problem.newton.krylov_tolerance, momentum, mass, velocity, pressure);
 }
 
 template <int dim>
-bool LinearSystems<dim>::linearise(const BalancedStep &state)
+bool LinearSystems<dim>::linearise(const StepSolution &state)
 {
   if (has_iterative_tangent())
   {
@@ -205,7 +205,7 @@ bool LinearSystems<dim>::linearise(const BalancedStep &state)
 }
 
 template <int dim>
-void LinearSystems<dim>::keep_derivative(const BalancedStep &state)
+void LinearSystems<dim>::keep_derivative(const StepSolution &state)
 {
   // Beside a factor the matrices of the cells are small.
   for (const auto &of_model : terms.of_models())

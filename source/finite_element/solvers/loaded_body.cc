@@ -21,7 +21,7 @@ LoadedBody<dim>::LoadedBody(const Space<dim> &space,
                             const NonlinearTerms<dim> &terms,
                             MetricHistory<dim> *const metrics,
                             const LoadedState &state)
-    : space(space), problem(problem), at_rest(state), cells(space, problem, terms, metrics, state)
+    : space(space), problem(problem), loaded(state), cells(space, problem, terms, metrics, state)
 {
   for (unsigned int part : {0, 1})
   {

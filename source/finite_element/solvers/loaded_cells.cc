@@ -23,8 +23,8 @@ namespace
 constexpr double largest_difference = 1e-4;
 /// Of a liquid at rest, over the speed sqrt(p/rho) of its pressure.
 constexpr double largest_speed = 1e-4;
-/// Of the pressures of solids, whose round-off after a search for rest the liquids have, too: it
-/// counts in the place of the pressure of a liquid that has less.
+/// Of the pressures of solids, whose round-off after a search for a steady state the liquids have,
+/// too: it counts in the place of the pressure of a liquid that has less.
 constexpr double part_of_solids = 1e-3;
 /// So short that what grows with it is nothing beside what does not [s].
 constexpr double no_time = 1e-100;
@@ -114,16 +114,16 @@ LoadedCells<dim>::LoadedCells(const Space<dim> &space,
 template <int dim>
 void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
                                   MetricHistory<dim> *const metrics,
-                                  const LoadedState &at_rest)
+                                  const LoadedState &loaded)
 {
-  BalancedStep balanced;
-  balanced.velocity = balanced.acceleration = space.velocity_vector();
-  balanced.pressure = at_rest.pressure;
-  balanced.pressure_rate = space.pressure_vector();
-  balanced.displacement = at_rest.displacement;
-  balanced.mesh_displacement = at_rest.mesh_displacement;
-  balanced.mesh_velocity = space.velocity_vector();
-  balanced.boundary_pressures.assign(std::count_if(problem.conditions.begin(),
+  StepSolution solution;
+  solution.velocity = solution.acceleration = space.velocity_vector();
+  solution.pressure = loaded.pressure;
+  solution.pressure_rate = space.pressure_vector();
+  solution.displacement = loaded.displacement;
+  solution.mesh_displacement = loaded.mesh_displacement;
+  solution.mesh_velocity = space.velocity_vector();
+  solution.boundary_pressures.assign(std::count_if(problem.conditions.begin(),
                                                    problem.conditions.end(),
                                                    [](const BoundaryCondition &condition)
                                                    { return condition.has_unknown_pressure(); }),
@@ -134,17 +134,17 @@ void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
     const std::size_t first = cells.size();
     const auto visit = [&](const Step &step, const auto &take_matrix)
     {
-      balanced.step = step;
+      solution.step = step;
       std::size_t number = first;
-      of_model->visit_derivatives(balanced,
+      of_model->visit_derivatives(solution,
                                   [&](const QuadratureCell<dim> &cell, const Matrix &matrix)
                                   { take_matrix(number++, cell, matrix); });
     };
-    of_model->start_from(at_rest.displacement);
-    const Step at_rest_step = static_step(1., false);
+    of_model->start_from(loaded.displacement);
+    const Step steady_step = static_step(1., false);
     if (metrics != nullptr)
-      metrics->predict(at_rest_step);
-    visit(at_rest_step,
+      metrics->predict(steady_step);
+    visit(steady_step,
           [&](std::size_t, const QuadratureCell<dim> &cell, const Matrix &matrix)
           {
             cells.emplace_back();
@@ -153,7 +153,8 @@ void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
             smallest = std::min(smallest, cell.velocity_cell->diameter());
             if (problem.materials[cell.region].is_solid())
               return;
-            // A step towards rest keeps the viscosity of a liquid, which has no stiffness.
+            // A step towards a steady state keeps the viscosity of a liquid, which has no
+            // stiffness.
             const unsigned int n = cell.velocity_indices.size();
             cells.back().viscosity = velocity_block(matrix, n);
             for (unsigned int i = 0; i < n; ++i)
@@ -200,10 +201,10 @@ void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
 }
 
 template <int dim>
-void LoadedCells<dim>::take_liquid_pressures(const LoadedState &at_rest)
+void LoadedCells<dim>::take_liquid_pressures(const LoadedState &loaded)
 {
   DistributedVector pressure(space.pressure_owned, space.pressure_relevant, space.communicator);
-  space.copy_pressure(at_rest.pressure, pressure);
+  space.copy_pressure(loaded.pressure, pressure);
   const std::size_t n_regions = problem.regions.size();
   std::vector<double> least(n_regions, std::numeric_limits<double>::max()), most(n_regions);
   std::fill(most.begin(), most.end(), -std::numeric_limits<double>::max());
@@ -222,7 +223,7 @@ void LoadedCells<dim>::take_liquid_pressures(const LoadedState &at_rest)
   Utilities::MPI::min(least, space.communicator, least);
   Utilities::MPI::max(most, space.communicator, most);
   largest = Utilities::MPI::max(largest, space.communicator);
-  refuse_streams(at_rest.velocity, largest);
+  refuse_streams(loaded.velocity, largest);
   liquid_pressures.assign(n_regions, 0.);
   for (unsigned int region = 0; region < n_regions; ++region)
   {

@@ -15,8 +15,8 @@ std::string describe_stalled_block(const BlockFactors &factors,
   if (!std::isfinite(factors.residual) || !std::isfinite(factors.of_all))
     return "The residual is no number: a load, a coefficient or the state of the run is none";
 
-  const bool is_linear = factors.further_terms == FurtherTerms::none,
-             is_finite = factors.further_terms == FurtherTerms::finite_deformation;
+  const bool is_linear = factors.tangent_terms == TangentTerms::none,
+             is_finite = factors.tangent_terms == TangentTerms::finite_deformation;
   const std::string for_tangents = "a smaller time step, or Linear solver/Type = direct";
   const std::string of_small_strains =
       "its preconditioner is that of small strains in the shape of the mesh, which is poor for "

@@ -283,8 +283,8 @@ void StepSystem<dim>::solve_packed(const DistributedVector &momentum,
 }
 
 template <int dim>
-void StepSystem<dim>::solve_tangent(const SaddlePointSolver::Product &further,
-                                    const FurtherTerms kind,
+void StepSystem<dim>::solve_tangent(const SaddlePointSolver::Product &add_nonlinear_terms,
+                                    const TangentTerms kind,
                                     const double tolerance,
                                     DistributedVector &momentum,
                                     DistributedVector &mass,
@@ -293,14 +293,15 @@ void StepSystem<dim>::solve_tangent(const SaddlePointSolver::Product &further,
 {
   for (const unsigned int index : pressure_hanging)
     mass.begin()[index] = 0.;
-  const auto whole = [&](const DistributedVector &of_velocity, const DistributedVector &of_pressure,
-                         DistributedVector &momentum_rows, DistributedVector &mass_rows)
+  const auto tangent_product = [&](const DistributedVector &of_velocity,
+                                   const DistributedVector &of_pressure,
+                                   DistributedVector &momentum_rows, DistributedVector &mass_rows)
   {
     multiply_system(of_velocity, of_pressure, momentum_rows, mass_rows);
-    further(of_velocity, of_pressure, momentum_rows, mass_rows);
+    add_nonlinear_terms(of_velocity, of_pressure, momentum_rows, mass_rows);
   };
-  n_iterations +=
-      iterative_solver->solve_tangent(whole, kind, tolerance, momentum, mass, velocity, pressure);
+  n_iterations += iterative_solver->solve_tangent(tangent_product, kind, tolerance, momentum, mass,
+                                                  velocity, pressure);
 }
 
 template <int dim>
@@ -420,7 +421,7 @@ void StepSystem<dim>::solve(DistributedVector &momentum,
   }
   solve_packed(momentum, mass, velocity, pressure);
   const unsigned int n_refinements =
-      std::max(parameters.refinement_steps, coefficients.is_of_rest ? 1u : 0u);
+      std::max(parameters.refinement_steps, coefficients.finds_steady_state ? 1u : 0u);
   for (unsigned int step = 0; step < n_refinements; ++step)
   {
     residual(momentum, mass, velocity, pressure);

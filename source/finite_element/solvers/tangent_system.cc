@@ -31,7 +31,7 @@ void TangentSystem<dim>::reinit()
 
 template <int dim>
 void TangentSystem<dim>::factorize(const SystemCoefficients &coefficients,
-                                   const BalancedStep &state,
+                                   const StepSolution &state,
                                    const NonlinearTerms<dim> &terms)
 {
   std::vector<int> owned;

@@ -59,7 +59,7 @@ std::vector<DeformedFacePoint<dim>> deformed_face_points(const Space<dim> &space
   {
     DeformedFacePoint<dim> &point = points[q];
     point.place = values.quadrature_point(q);
-    const double size = values.JxW(q) * space.measure(point.place);
+    const double size = values.JxW(q) * space.circumference(point.place);
     for (unsigned int c = 0; c < dim; ++c)
       point.area[c] = size * values.normal_vector(q)[c];
     point.hoop = space.is_axisymmetric() ? 1. / point.place[1] : 0.;

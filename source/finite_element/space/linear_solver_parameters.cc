@@ -43,7 +43,7 @@ void LinearSolverParameters::read(ParameterSection section)
              "deformation or vibrations.");
   section.add("Refinement steps", refinement_steps,
               "Steps of iterative refinement after each direct solve [1]; at least one where the "
-              "equations of rest are solved.",
+              "steady equations are solved.",
               0, 5);
   section.add("Kept factors", kept_factors,
               "Factors, of as many time steps' sizes, that are kept for when a size comes back; "

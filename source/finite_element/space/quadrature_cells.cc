@@ -115,7 +115,7 @@ void QuadratureCells<dim>::reinit()
     for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
       const Point<dim> &place = geometry.quadrature_point(q);
-      kept.points[q].weight = geometry.JxW(q) * space.measure(place);
+      kept.points[q].weight = geometry.JxW(q) * space.circumference(place);
       kept.points[q].hoop = space.is_axisymmetric() ? 1. / place[1] : 0.;
       kept.points[q].inverse_jacobian = Tensor<2, dim>(geometry.inverse_jacobian(q));
     }

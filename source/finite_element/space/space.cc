@@ -169,7 +169,7 @@ void Space<dim>::set_hanging_pressures_to_zero(DistributedVector &owned) const
 }
 
 template <int dim>
-double Space<dim>::measure(const Point<dim> &point) const
+double Space<dim>::circumference(const Point<dim> &point) const
 {
   return axisymmetric ? 2. * numbers::PI * point[1] : 1.;
 }

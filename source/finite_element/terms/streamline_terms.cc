@@ -31,7 +31,7 @@ void StreamlineTerms<dim>::visit(const Cell &cell, const Step &of_step)
   values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell));
   step = of_step;
   region = cell->material_id();
-  size_at_rest = Convection::cell_size<dim>(cell->diameter(), space.degree());
+  undeformed_size = Convection::cell_size<dim>(cell->diameter(), space.degree());
 }
 
 template <int dim>
@@ -77,7 +77,7 @@ template <int dim>
 void StreamlineTerms<dim>::set_viscous_forces(const unsigned int q, const CellState<dim> &state)
 {
   place = values.quadrature_point(q);
-  size = size_at_rest;
+  size = undeformed_size;
   if (state.mesh_displacement == nullptr)
   {
     for (unsigned int a = 0; a < space.scalar_element().n_dofs_per_cell(); ++a)

@@ -36,7 +36,7 @@ struct CostInput
   double n_steps = 1.; ///< solves of the step's system
   /// The run looks for a state at rest: where it is not linear by some steps, which are not
   /// n_steps.
-  bool to_rest = false;
+  bool finds_steady_state = false;
   unsigned int n_ranks = 1;
   /// Columns of probes, of which each rank keeps the values of all steps.
   double n_histories = 0.;

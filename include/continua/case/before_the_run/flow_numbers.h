@@ -21,12 +21,12 @@ struct FlowNumbersInput
   /// Where the velocity is prescribed that gives the largest Reynolds number; empty if pressures
   /// and other loads alone drive the flow.
   std::string boundary;
-  bool flows_in = true;      ///< through that boundary; false: the boundary moves along itself
-  double mean_speed = 0.;    ///< [m/s] over that boundary, the largest of the run
-  double largest_speed = 0.; ///< [m/s] on it
-  double density = 0.;       ///< [kg/m^3] of the liquid there
-  double viscosity = 0.;     ///< [Pa s], at zero rate of shear; 0: inviscid
-  bool is_at_rest = false;   ///< whether the viscosity depends on the rate of shear
+  bool flows_in = true;        ///< through that boundary; false: the boundary moves along itself
+  double mean_speed = 0.;      ///< [m/s] over that boundary, the largest of the run
+  double largest_speed = 0.;   ///< [m/s] on it
+  double density = 0.;         ///< [kg/m^3] of the liquid there
+  double viscosity = 0.;       ///< [Pa s], at zero rate of shear; 0: inviscid
+  bool has_flow_curve = false; ///< whether the viscosity depends on the rate of shear
   Duct duct = Duct::none;
   /// [m]: of a channel its gap; of a pipe four times the area over the wetted perimeter; where
   /// there is no wall the extent of the section.

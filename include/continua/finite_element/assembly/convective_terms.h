@@ -2,9 +2,9 @@
 #define continua_finite_element_assembly_convective_terms_h
 
 #include <continua/base/instruction_set.h>
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/finite_element/assembly/flow_at_points.h>
 #include <continua/finite_element/assembly/flow_cell.h>
 #include <continua/finite_element/assembly/flow_product.h>
@@ -54,12 +54,12 @@ public:
 
   /// Throws StepFailure where the exponent leaves a bulk modulus that is not positive.
   void
-  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
+  add(const StepSolution &state, DistributedVector &momentum, DistributedVector &volume) override;
   /// With the density and the compressibility that follow the pressure.
   NonlinearEnergy energy_of(unsigned int region, const State &state) override;
-  void keep_derivative(const BalancedStep &state,
+  void keep_derivative(const StepSolution &state,
                        KeptDerivative form = KeptDerivative::matrices) override;
-  std::vector<double> grad_div_viscosities(const BalancedStep &state) override;
+  std::vector<double> grad_div_viscosities(const StepSolution &state) override;
   void forget_derivative() override;
   void add_derivative_product(const DistributedVector &of_velocity,
                               const DistributedVector &of_pressure,
@@ -95,7 +95,7 @@ private:
   DistributedVector mesh_displacement, mesh_velocity; ///< empty where the mesh stays
   std::vector<double> derivative_at_points;           ///< see FlowTermsAtPoints
 
-  void take(const BalancedStep &state) override;
+  void take(const StepSolution &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
   bool couples_pressures(const Cell &cell) const override
   {

@@ -4,9 +4,9 @@
 #include <continua/base/instruction_set.h>
 #include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
-#include <continua/finite_element/assembly/rest_states.h>
 #include <continua/finite_element/assembly/solid_at_points.h>
 #include <continua/finite_element/assembly/solid_cell.h>
+#include <continua/finite_element/assembly/stress_free_states.h>
 #include <continua/finite_element/terms/solid_face_terms.h>
 #include <continua/finite_element/terms/solid_terms.h>
 
@@ -49,22 +49,22 @@ public:
 
   /// Throws StepFailure where the body is turned inside out.
   void
-  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) override;
+  add(const StepSolution &state, DistributedVector &momentum, DistributedVector &volume) override;
   /// By the law, and of the pressure K (J ln J - J + 1) with J = exp(-p/K), per reference volume.
   NonlinearEnergy energy_of(unsigned int region, const State &state) override;
   void start_from(const DistributedVector &displacement) override;
-  void visit_state(StateVisitor &visitor) override { rest_states.visit_state(visitor); }
-  void take_own_state() override { rest_states.take_state(); }
+  void visit_state(StateVisitor &visitor) override { stress_free_states.visit_state(visitor); }
+  void take_own_state() override { stress_free_states.take_state(); }
   const DistributedVector *unloaded_displacement() const override
   {
-    return rest_states.unloaded_displacement();
+    return stress_free_states.unloaded_displacement();
   }
   const DistributedVector *wall_potentials() const override
   {
-    return rest_states.wall_potentials();
+    return stress_free_states.wall_potentials();
   }
   void set_unloaded_displacement(const DistributedVector &of_unloaded) override;
-  void finish_step(const BalancedStep &balanced, const State &state) override;
+  void finish_step(const StepSolution &solution, const State &state) override;
   double relaxation_power(const unsigned int region) const override { return heat[region]; }
   typename NonlinearCellTerms<dim>::Sizes sizes_of_terms() const override { return sizes; }
 
@@ -92,7 +92,7 @@ private:
   using Stress = typename SolidCell<dim>::Stress;
 
   const SolidTermsAtPoints<dim> solid_terms;
-  RestStates<dim> rest_states;
+  StressFreeStates<dim> stress_free_states;
   SolidCell<dim> here; ///< the state in the present cell
   MetricHistory<dim> *const metrics;
   std::vector<double> heat; ///< relaxation_power() by region
@@ -101,7 +101,7 @@ private:
   Sizes sizes;
   std::vector<double> derivative_at_points; ///< see SolidTermsAtPoints
 
-  void take(const BalancedStep &state) override;
+  void take(const StepSolution &state) override;
   void set_derivative(const Cell &cell, dealii::FullMatrix<double> &matrix) override;
   bool couples_pressures(const Cell &) const override { return true; }
   /// Calls visit(q, point) at each point of the cells that relax, by this displacement.

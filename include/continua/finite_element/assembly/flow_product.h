@@ -2,8 +2,8 @@
 #define continua_finite_element_assembly_flow_product_h
 
 #include <continua/base/instruction_set.h>
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/finite_element/products/matrix_free_convection.h>
 #include <continua/finite_element/space/cell_sums.h>
 #include <continua/finite_element/space/quadrature_cells.h>
@@ -40,7 +40,7 @@ public:
   /// Whether some rank has a cell that it does not take. Collective knowledge.
   bool leaves_cells() const { return some_are_left; }
   /// Keeps the state of the next products; pressures with ghost entries. Collective.
-  void set(const BalancedStep &state,
+  void set(const StepSolution &state,
            const DistributedVector &pressure,
            const DistributedVector &pressure_rate);
   /// Adds the product with changes of velocity [m/s] and pressure [Pa, with ghost entries] to rows

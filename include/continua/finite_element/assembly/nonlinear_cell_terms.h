@@ -1,11 +1,11 @@
 #ifndef continua_finite_element_assembly_nonlinear_cell_terms_h
 #define continua_finite_element_assembly_nonlinear_cell_terms_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/finite_element/assembly/body_forces.h>
 #include <continua/finite_element/assembly/cell_assembly.h>
 #include <continua/finite_element/assembly/face_assembly.h>
@@ -65,12 +65,12 @@ public:
   /// Adds the terms to the rows of momentum [N] and of volume [m^3/s], with the hanging nodes
   /// condensed. Collective. Throws StepFailure where the state has no meaning.
   virtual void
-  add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &volume) = 0;
+  add(const StepSolution &state, DistributedVector &momentum, DistributedVector &volume) = 0;
   /// Of the terms of one region: adds the powers that their forces have with a velocity, and adds
   /// the forces to rows of momentum [N] unless `momentum` is null, with the hanging nodes
   /// condensed. Collective.
   void add_powers(unsigned int region,
-                  const BalancedStep &state,
+                  const StepSolution &state,
                   const DistributedVector &of_velocity,
                   TermsTaken taken,
                   NonlinearPowers &powers,
@@ -88,7 +88,7 @@ public:
   virtual const DistributedVector *unloaded_displacement() const { return nullptr; }
   virtual void set_unloaded_displacement(const DistributedVector &) {}
   /// A step has ended. Collective.
-  virtual void finish_step(const BalancedStep &, const State &) {}
+  virtual void finish_step(const StepSolution &, const State &) {}
   /// This rank's part of what relaxation in a region turns into heat at the level that the last
   /// step has balanced [W].
   virtual double relaxation_power(unsigned int /*region*/) const { return 0.; }
@@ -104,13 +104,13 @@ public:
   /// matrix whose unknowns are the velocities and then the pressures and whose rows of volume are
   /// multiplied by -1. `constraints`: of the velocity, homogeneous, hanging nodes included; rows
   /// and columns of what they constrain stay empty.
-  void add_derivative(const BalancedStep &state,
+  void add_derivative(const StepSolution &state,
                       const dealii::AffineConstraints<double> &constraints,
                       EntrySums &matrix);
   /// Calls take with each owned cell and the same derivative of its rows, without constraints.
   /// Collective.
   void visit_derivatives(
-      const BalancedStep &state,
+      const StepSolution &state,
       const std::function<void(const QuadratureCell<dim> &, const dealii::FullMatrix<double> &)>
           &take_matrix);
   /// Adds products of that derivative, without constraints, with a velocity that is zero in all but
@@ -124,11 +124,11 @@ public:
                          DistributedVector &of_velocity,
                          DistributedVector &of_pressure);
   /// Keeps the same derivative for products, without constraints. Collective.
-  virtual void keep_derivative(const BalancedStep &state,
+  virtual void keep_derivative(const StepSolution &state,
                                KeptDerivative form = KeptDerivative::matrices);
   /// The mean viscosity of grad-div in each cell, by active_cell_index(), that of cells of other
   /// ranks zero [Pa s]; empty: there is no grad-div. Collective.
-  virtual std::vector<double> grad_div_viscosities(const BalancedStep &) { return {}; }
+  virtual std::vector<double> grad_div_viscosities(const StepSolution &) { return {}; }
   /// Frees what is kept of it.
   virtual void forget_derivative() { cell_derivatives.clear(); }
   /// Adds its product with changes of velocity [m/s] and pressure [Pa], which obey their
@@ -158,7 +158,7 @@ protected:
   dealii::Vector<double> cell_momentum, cell_volume;
 
   /// Takes a state, with ghost entries.
-  virtual void take(const BalancedStep &state) = 0;
+  virtual void take(const StepSolution &state) = 0;
   /// Makes the state that was taken that of a cell.
   virtual void visit(const Cell &cell) = 0;
   /// Sets the rows of that cell, and adds to the powers where they are asked for. The least of what

@@ -2,11 +2,11 @@
 #define continua_finite_element_assembly_region_terms_h
 
 #include <continua/base/memory_use.h>
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/nonlinear_terms.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/space/linear_solver_parameters.h>
@@ -39,9 +39,9 @@ public:
   void forget_derivative();
 
   // The residual.
-  void add(const BalancedStep &state, DistributedVector &momentum, DistributedVector &mass);
+  void add(const StepSolution &state, DistributedVector &momentum, DistributedVector &mass);
   void add_powers(unsigned int region,
-                  const BalancedStep &state,
+                  const StepSolution &state,
                   const DistributedVector &of_velocity,
                   TermsTaken taken,
                   NonlinearPowers &powers,
@@ -68,7 +68,7 @@ public:
   void start_from(const DistributedVector &displacement);
   void visit(StateVisitor &visitor);
   void take_own_state();
-  void finish_step(const BalancedStep &balanced, const State &state);
+  void finish_step(const StepSolution &solution, const State &state);
   const DistributedVector *wall_potentials() const;
   const DistributedVector *unloaded_displacement() const;
   void set_unloaded_displacement(const DistributedVector &displacement);

@@ -2,7 +2,7 @@
 #define continua_finite_element_assembly_solid_at_points_h
 
 #include <continua/base/instruction_set.h>
-#include <continua/continuum/rest_state.h>
+#include <continua/continuum/stress_free_state.h>
 #include <continua/finite_element/assembly/terms_at_points.h>
 #include <continua/finite_element/space/numbers_at_points.h>
 #include <continua/finite_element/terms/solid_point.h>
@@ -23,7 +23,7 @@ struct SolidAtPoints
   const CellPoint<dim> *geometry = nullptr; ///< at each point, of the reference mesh
   SolidScheme scheme;
   const StrainLaw *law = nullptr;
-  const RestState *rest = nullptr; ///< at each point; null: it is that of the mesh
+  const StressFreeState *stress_free = nullptr; ///< at each point; null: it is that of the mesh
   /// M of MetricStress at each point [Pa]; null: nothing relaxes.
   const dealii::SymmetricTensor<2, 3> *branches = nullptr;
   bool has_mass_of_mesh = false; ///< whether the mass is that of the mesh's volume

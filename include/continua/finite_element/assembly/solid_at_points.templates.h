@@ -52,9 +52,9 @@ private:
   const LawAtPoints<dim, Lanes> law;
   unsigned int first = 0; ///< of the present points
   // Of these.
-  Lanes weight, hoop_at_rest;
-  Vector2 jacobian_at_rest; ///< the inverse one, of the reference mesh
-  Vector2 inverse_jacobian; ///< of the present place
+  Lanes weight, undeformed_hoop;
+  Vector2 undeformed_jacobian; ///< the inverse one, of the reference mesh
+  Vector2 inverse_jacobian;    ///< of the present place
   PointStrainOf<Lanes> strain;
 
   explicit SolidOfWidth(const SolidAtPoints<dim> &cell)
@@ -114,8 +114,8 @@ private:
   /// As ValuesAtPoints::space_gradient().
   dealii::Tensor<2, 3, Lanes> space_gradient(const NumbersAtPoints<const double> &from) const
   {
-    return whole_gradient<dim, Lanes>(gradient(from, jacobian_at_rest),
-                                      hoop_at_rest * number(from, 1, 0));
+    return whole_gradient<dim, Lanes>(gradient(from, undeformed_jacobian),
+                                      undeformed_hoop * number(from, 1, 0));
   }
   void set_geometry()
   {
@@ -128,10 +128,10 @@ private:
     dealii::vectorized_load_and_transpose(n_numbers, &cell.geometry[first].weight, offsets.data(),
                                           numbers.data());
     weight = numbers[0];
-    hoop_at_rest = numbers[1];
+    undeformed_hoop = numbers[1];
     for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int e = 0; e < dim; ++e)
-        jacobian_at_rest[d][e] = numbers[2 + d * dim + e];
+        undeformed_jacobian[d][e] = numbers[2 + d * dim + e];
   }
   Point kinematic_point(const unsigned int first_point)
   {
@@ -143,17 +143,17 @@ private:
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
         in_dimension[c][d] = inverse[c][d];
-    inverse_jacobian = jacobian_at_rest * in_dimension;
-    point.hoop = hoop_at_rest * inverse[2][2];
+    inverse_jacobian = undeformed_jacobian * in_dimension;
+    point.hoop = undeformed_hoop * inverse[2][2];
     point.velocity = value(cell.velocity);
     point.acceleration = value(cell.acceleration);
     point.velocity_gradient = point.kinematics.gradient(space_gradient(cell.velocity));
     point.pressure = number(cell.pressure, 0, 0);
     point.pressure_rate = number(cell.pressure_rate, 0, 0);
-    if (cell.rest != nullptr)
+    if (cell.stress_free != nullptr)
       for (unsigned int lane = 0; lane < width; ++lane)
-        point.rest_ratio[lane] = cell.rest[first + lane].volume_ratio;
-    point.mass_ratio = cell.has_mass_of_mesh ? Lanes(1.) : point.rest_ratio;
+        point.stress_free_ratio[lane] = cell.stress_free[first + lane].volume_ratio;
+    point.mass_ratio = cell.has_mass_of_mesh ? Lanes(1.) : point.stress_free_ratio;
     return point;
   }
   /// The least of the volume ratios.
@@ -162,7 +162,7 @@ private:
     const Lanes ratio = point.volume_ratio();
     double least = std::numeric_limits<double>::max();
     for (unsigned int lane = 0; lane < width; ++lane)
-      for (const double of_point : {ratio[lane], point.rest_ratio[lane]})
+      for (const double of_point : {ratio[lane], point.stress_free_ratio[lane]})
         least =
             std::min(least, std::isnan(of_point) ? -std::numeric_limits<double>::max() : of_point);
     return least;
@@ -171,23 +171,23 @@ private:
   {
     strain.gradient = point.kinematics.deformation_gradient();
     strain.determinant = point.volume_ratio();
-    if (cell.rest == nullptr)
+    if (cell.stress_free == nullptr)
       return;
     dealii::Tensor<2, 3, Lanes> prestretch;
-    strain.fibres.resize(cell.rest[first].fibres.size());
+    strain.fibres.resize(cell.stress_free[first].fibres.size());
     for (unsigned int lane = 0; lane < width; ++lane)
     {
-      const RestState &rest = cell.rest[first + lane];
+      const StressFreeState &stress_free = cell.stress_free[first + lane];
       for (unsigned int i = 0; i < 3; ++i)
       {
         for (unsigned int j = 0; j < 3; ++j)
-          prestretch[i][j][lane] = rest.prestretch[i][j];
+          prestretch[i][j][lane] = stress_free.prestretch[i][j];
         for (std::size_t k = 0; k < strain.fibres.size(); ++k)
-          strain.fibres[k][i][lane] = rest.fibres[k][i];
+          strain.fibres[k][i][lane] = stress_free.fibres[k][i];
       }
     }
     strain.gradient = strain.gradient * prestretch;
-    strain.determinant /= point.rest_ratio;
+    strain.determinant /= point.stress_free_ratio;
   }
   MetricStressOf<Lanes> branches() const
   {
@@ -207,7 +207,7 @@ private:
       branches().set_stress(strain, of_branches);
       point.stress += of_branches;
     }
-    point.stress *= point.rest_ratio;
+    point.stress *= point.stress_free_ratio;
   }
   void set_tangent(Point &point)
   {
@@ -221,8 +221,8 @@ private:
       point.stress += of_branches;
       point.tangent += tangent_of_branches;
     }
-    point.stress *= point.rest_ratio;
-    point.tangent *= point.rest_ratio;
+    point.stress *= point.stress_free_ratio;
+    point.tangent *= point.stress_free_ratio;
   }
   SolidExtremes set(const unsigned int first_point,
                     const PowersAtPoints *const asked,

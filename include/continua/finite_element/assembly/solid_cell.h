@@ -3,8 +3,8 @@
 
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/metric_history.h>
-#include <continua/finite_element/assembly/rest_states.h>
 #include <continua/finite_element/assembly/solid_at_points.h>
+#include <continua/finite_element/assembly/stress_free_states.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/values_at_points.h>
 #include <continua/finite_element/terms/solid_point.h>
@@ -41,7 +41,7 @@ public:
   /// All must outlive it; `metrics`: null where nothing relaxes.
   SolidCell(const Problem &problem,
             const QuadratureCells<dim> &cells,
-            const RestStates<dim> &rest_states,
+            const StressFreeStates<dim> &stress_free_states,
             const MetricHistory<dim> *metrics,
             const Vectors &vectors);
 
@@ -75,12 +75,12 @@ public:
 private:
   const Problem &problem;
   const QuadratureCells<dim> &cells;
-  const RestStates<dim> &rest_states;
+  const StressFreeStates<dim> &stress_free_states;
   const MetricHistory<dim> *const metrics;
   const Vectors vectors;
   const Cell *present = nullptr;
   SolidScheme scheme; ///< of the cell
-  bool is_towards_rest = false, finds_unloaded_shape = false;
+  bool finds_steady_state = false, finds_unloaded_shape = false;
   // At the dofs; vectors component by component.
   dealii::Vector<double> velocities, displacements, accelerations, pressures, pressure_rates;
   dealii::Vector<double> unloaded; ///< D0
@@ -89,7 +89,7 @@ private:
   PointStrain strain_at_point;
   std::optional<RightStretch> unloading;
 
-  void set_strain(const RestState *rest, const SolidPoint<dim> &point);
+  void set_strain(const StressFreeState *stress_free, const SolidPoint<dim> &point);
   void set_stress(unsigned int q, SolidPoint<dim> &point) const;
   void set_tangent(unsigned int q, SolidPoint<dim> &point) const;
 };

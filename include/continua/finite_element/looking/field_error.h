@@ -50,7 +50,7 @@ private:
   dealii::hp::FEValues<dim> hp_pressure_values;
   // Of the present cell, at its points:
   std::vector<dealii::types::global_dof_index> indices;
-  std::vector<dealii::Vector<double>> ways, vector_values, pressures;
+  std::vector<dealii::Vector<double>> displacements, vector_values, pressures;
   std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
 
   void take(const Cell &cell);

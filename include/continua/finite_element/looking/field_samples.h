@@ -57,12 +57,12 @@ struct SampledShare
 {
   enum class Kind
   {
-    at_rest, ///< the weight stays
-    line,    ///< dx = F dX, of a tangent
-    area,    ///< n da = J F^-T N dA, of a normal
-    volume   ///< dv = J dV
+    undeformed, ///< the weight stays
+    line,       ///< dx = F dX, of a tangent
+    area,       ///< n da = J F^-T N dA, of a normal
+    volume      ///< dv = J dV
   };
-  Kind kind = Kind::at_rest;
+  Kind kind = Kind::undeformed;
   dealii::Tensor<1, 3> direction; ///< at rest, of length 1; of a line or an area
 };
 
@@ -159,7 +159,7 @@ private:
   double velocity_through(const SamplePoint &point, const SampledState<dim> &state) const;
   /// The unit normal of the deformed body.
   dealii::Tensor<1, dim> normal_at(const SamplePoint &point, const SampledState<dim> &state) const;
-  RestState rest_state(const SamplePoint &point, const SampledState<dim> &state) const;
+  StressFreeState stress_free_state(const SamplePoint &point, const SampledState<dim> &state) const;
   Kinematics kinematics_at(const SamplePoint &point, const SampledState<dim> &state) const;
   std::array<double, 6> stress_at(const SamplePoint &point, const SampledState<dim> &state) const;
   /// -t.sigma.n with the axis t and the radial direction n of the field as the motion turns them: a

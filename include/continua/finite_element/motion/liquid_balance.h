@@ -1,11 +1,11 @@
 #ifndef continua_finite_element_motion_liquid_balance_h
 #define continua_finite_element_motion_liquid_balance_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/liquid_mass.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/finite_element/space/deformed_face_point.h>
 #include <continua/finite_element/space/quadrature_cells.h>
 #include <continua/finite_element/space/space.h>
@@ -31,7 +31,7 @@ public:
   /// The mesh has changed.
   void reinit();
   /// A step has ended: adds what has flowed in. Collective.
-  void finish_step(const BalancedStep &balanced);
+  void finish_step(const StepSolution &solution);
   /// Of a state. Collective.
   LiquidMass mass(const State &state);
   /// Hands over the part of the state.
@@ -56,7 +56,7 @@ private:
   dealii::Vector<double> cell_displacement, cell_velocity, cell_pressure;
 
   /// What flows in at a level that a step has balanced [kg/s]. Collective.
-  double rate(const BalancedStep &balanced);
+  double rate(const StepSolution &solution);
 };
 } // namespace Continua
 

@@ -1,10 +1,10 @@
 #ifndef continua_finite_element_motion_mesh_motion_h
 #define continua_finite_element_motion_mesh_motion_h
 
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/kinematics.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/finite_element/assembly/cell_assembly.h>
 #include <continua/finite_element/motion/mesh_multigrid.h>
 #include <continua/finite_element/space/cell_sums.h>
@@ -79,7 +79,7 @@ public:
   /// Sets the displacement [m] and the velocity [m/s] of the mesh at the level that a step
   /// balances, from the displacement of the solids there. Collective. A step that finds the
   /// unloaded shape leaves the mesh where it is.
-  void move(BalancedStep &state);
+  void move(StepSolution &state);
   /// Sets what a change of velocity [m/s], with that of the displacement which follows in a step,
   /// does to the displacement of the mesh [m]. Collective.
   void set_change(const Step &step,
@@ -88,7 +88,7 @@ public:
   /// The next step goes on as a restart from here would.
   void forget_solver();
   /// A step has ended. Collective.
-  void finish_step(const BalancedStep &balanced);
+  void finish_step(const StepSolution &step_solution);
   /// Takes the present displacement of the solids for the start [m]. Collective.
   void start_from(const DistributedVector &displacement);
   /// The run begins at the present shape: steps before it, to find that shape or a mesh, do not

@@ -57,7 +57,7 @@ private:
   using Vector = typename MatrixFreeMesh<dim>::Vector;
 
   const std::unique_ptr<MatrixFreeMesh<dim>> product;
-  const std::unique_ptr<Product> product_at_rest;
+  const std::unique_ptr<Product> undeformed_product;
   std::unique_ptr<LinearVelocities<dim>> linear;
   std::unique_ptr<PolynomialCycle<dim>> cycle;
   Vector given_entries, given_rows, source, target;

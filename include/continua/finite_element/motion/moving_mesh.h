@@ -2,11 +2,11 @@
 #define continua_finite_element_motion_moving_mesh_h
 
 #include <continua/base/log.h>
-#include <continua/continuum/balanced_step.h>
 #include <continua/continuum/continuum_solver.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/continuum/state_visitor.h>
+#include <continua/continuum/step_solution.h>
 #include <continua/finite_element/motion/liquid_balance.h>
 #include <continua/finite_element/motion/mesh_motion.h>
 #include <continua/finite_element/space/space.h>
@@ -29,7 +29,7 @@ public:
 
   void reinit(const MeshSolver &solver);
   void begin_step(const Step &step);
-  void move(BalancedStep &state) { motion.move(state); }
+  void move(StepSolution &state) { motion.move(state); }
   void set_change(const Step &step,
                   const DistributedVector &of_velocity,
                   DistributedVector &of_mesh_displacement)
@@ -37,10 +37,10 @@ public:
     motion.set_change(step, of_velocity, of_mesh_displacement);
   }
   /// Throws StepFailure where the mesh is turned inside out. Collective.
-  void check(const BalancedStep &state);
+  void check(const StepSolution &state);
   void forget_solver() { motion.forget_solver(); }
   /// Warns once where the mesh has become flat. Collective.
-  void finish_step(const BalancedStep &balanced);
+  void finish_step(const StepSolution &solution);
   void start_from(const DistributedVector &displacement) { motion.start_from(displacement); }
   void begin_run() { motion.begin_run(); }
   void visit(StateVisitor &visitor);

@@ -74,8 +74,8 @@ public:
                     DistributedVector &mass) override;
   void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override;
 
-  bool linearise(const BalancedStep &state);
-  void keep_derivative(const BalancedStep &state);
+  bool linearise(const StepSolution &state);
+  void keep_derivative(const StepSolution &state);
   void forget_linearisation() { tangent.forget_analysis(); }
 
   /// Sets what is known of the solver in use.

@@ -51,7 +51,7 @@ public:
              const LoadedState &state);
 
   /// The state about which the motion is small.
-  const LoadedState &state() const { return at_rest; }
+  const LoadedState &state() const { return loaded; }
   /// Coefficients of a motion exp(s t).
   HarmonicCoefficients coefficients(Complex s) const;
   /// Adds the entries of a part in one region, as NonlinearCellTerms::add_derivative() has them.
@@ -83,7 +83,7 @@ private:
 
   const Space<dim> &space;
   const Problem &problem;
-  const LoadedState at_rest;
+  const LoadedState loaded;
   const LoadedCells<dim> cells;
   /// With ghost entries: of the real and of the imaginary part.
   std::array<DistributedVector, 2> velocities, pressures;

@@ -85,8 +85,8 @@ private:
 
   void take_parts(const NonlinearTerms<dim> &terms,
                   MetricHistory<dim> *metrics,
-                  const LoadedState &at_rest);
-  void take_liquid_pressures(const LoadedState &at_rest);
+                  const LoadedState &loaded);
+  void take_liquid_pressures(const LoadedState &loaded);
   /// `largest_pressure` [Pa]: of the liquids, see take_liquid_pressures().
   void refuse_streams(const DistributedVector &of_state, double largest_pressure) const;
   /// To each solid the pressure of the liquids on its faces, which follows them.

@@ -87,8 +87,8 @@ SolverChoice choose_step_solver(const LinearSolverParameters &parameters,
 /// precision or the iterative solver.
 SolverCost cost_of_tangents(StepSolver solver, const SystemSize &size);
 /// Where the parameters are `automatic`: a factor up to its largest system and where it fits into
-/// the memory, else the iterative solver. On the way to rest and in finite deformation a factor has
-/// no largest system.
+/// the memory, else the iterative solver. On the way to a steady state and in finite deformation a
+/// factor has no largest system.
 SolverChoice choose_tangent_solver(const LinearSolverParameters &parameters,
                                    const SystemSize &size,
                                    const SolverOutlook &outlook);

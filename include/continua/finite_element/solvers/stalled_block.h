@@ -8,7 +8,7 @@
 namespace Continua
 {
 /// What a matrix has beside the linear terms, which are those of the preconditioner.
-enum class FurtherTerms
+enum class TangentTerms
 {
   none,
   convection,        ///< of the fluid
@@ -19,7 +19,7 @@ enum class FurtherTerms
 /// (see late_factor()), of a solve that has not converged.
 struct BlockFactors
 {
-  FurtherTerms further_terms = FurtherTerms::none;
+  TangentTerms tangent_terms = TangentTerms::none;
   double residual = 0.; ///< that is left, of the largest term of the equations
   double of_all = 0.;   ///< by all blocks together
   bool has_stiff = false, has_fluid = false;

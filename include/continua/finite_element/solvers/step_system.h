@@ -88,11 +88,11 @@ public:
   {
     iterative_solver->precondition_grad_div(viscosities);
   }
-  /// Of the iterative solver alone. `further` adds what the tangent has beside the linear terms to
-  /// the rows of momentum and to minus those of volume; the preconditioner is that of
-  /// prepare_nearby().
-  void solve_tangent(const SaddlePointSolver::Product &further,
-                     FurtherTerms kind,
+  /// Of the iterative solver alone. `add_nonlinear_terms` adds what the tangent has beside the
+  /// linear terms to the rows of momentum and to minus those of volume; the preconditioner is that
+  /// of prepare_nearby().
+  void solve_tangent(const SaddlePointSolver::Product &add_nonlinear_terms,
+                     TangentTerms kind,
                      double tolerance,
                      DistributedVector &momentum,
                      DistributedVector &mass,

@@ -33,7 +33,7 @@ public:
   void reinit();
   /// Factors the tangent at the state. Throws RunError.
   void factorize(const SystemCoefficients &coefficients,
-                 const BalancedStep &state,
+                 const StepSolution &state,
                  const NonlinearTerms<dim> &terms);
   /// The next factor is made as the first one.
   void forget_analysis();

@@ -92,7 +92,7 @@ public:
   void set_hanging_pressures_to_zero(DistributedVector &owned) const;
 
   /// 2 pi r in axisymmetry, else 1: the measure of a point of the mesh [m or 1].
-  double measure(const dealii::Point<dim> &point) const;
+  double circumference(const dealii::Point<dim> &point) const;
   /// The component of the pressure space in which a region's pressure lives.
   unsigned int pressure_component(const unsigned int region) const { return broken ? region : 0; }
   bool is_axisymmetric() const { return axisymmetric; }

@@ -58,13 +58,13 @@ struct MeshStress
   static dealii::Tensor<2, 3, Number> whole_gradient(const dealii::Tensor<2, dim, Number> &gradient,
                                                      const Number &of_circle)
   {
-    dealii::Tensor<2, 3, Number> whole;
+    dealii::Tensor<2, 3, Number> result;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
-        whole[c][d] = gradient[c][d];
+        result[c][d] = gradient[c][d];
     if (dim == 2)
-      whole[2][2] = of_circle;
-    return whole;
+      result[2][2] = of_circle;
+    return result;
   }
   /// (tr C - 2 ln J)/2, whose derivative by F is the hyperelastic P.
   static double energy(const MeshPoint<> &point)

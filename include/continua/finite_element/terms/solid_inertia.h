@@ -27,7 +27,7 @@ struct SolidInertia
   template <int dim>
   static double energy(const SolidPoint<dim> &point)
   {
-    return 0.5 * point.scheme.density * point.rest_ratio * point.velocity.norm_square();
+    return 0.5 * point.scheme.density * point.stress_free_ratio * point.velocity.norm_square();
   }
 };
 } // namespace Continua

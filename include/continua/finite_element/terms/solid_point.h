@@ -45,8 +45,8 @@ struct SolidPoint
   dealii::Tensor<1, dim, Number> velocity, acceleration;
   Matrix velocity_gradient; ///< grad U [1/s]
   Number pressure = 0., pressure_rate = 0.;
-  Number rest_ratio = 1.; ///< det F0: RestState::volume_ratio [1]
-  Number mass_ratio = 1.; ///< the mass over that of the mesh's volume [1]
+  Number stress_free_ratio = 1.; ///< det F0: StressFreeState::volume_ratio [1]
+  Number mass_ratio = 1.;        ///< the mass over that of the mesh's volume [1]
 
   // By the law, with the branches that relax.
   Symmetric stress;                              ///< det F0 tau [Pa]
@@ -86,10 +86,10 @@ struct SolidChange
   using Matrix = dealii::Tensor<2, 3, Number>;
 
   dealii::Tensor<1, dim, Number> acceleration;
-  Matrix velocity_gradient; ///< of grad U by the place that moves, too [1/s]
-  Matrix moved;             ///< dF F^-1 [1]
-  Matrix elastic;           ///< the same of the elastic deformation [1]
-  Number rest_ratio = 0.;   ///< of det F0, over it [1]
+  Matrix velocity_gradient;      ///< of grad U by the place that moves, too [1/s]
+  Matrix moved;                  ///< dF F^-1 [1]
+  Matrix elastic;                ///< the same of the elastic deformation [1]
+  Number stress_free_ratio = 0.; ///< of det F0, over it [1]
   Number pressure = 0., pressure_rate = 0.;
 
   SolidChange(const SolidPoint<dim, Number> &point, const PointChange<dim, Number> &change)
@@ -105,7 +105,7 @@ struct SolidChange
       {
         // The elastic deformation is U0^-1 times what is known.
         elastic = b * (point.unloading->inverse() * point.unloading->change(velocity_gradient));
-        rest_ratio = -trace(elastic);
+        stress_free_ratio = -trace(elastic);
         return;
       }
     moved = b * velocity_gradient;

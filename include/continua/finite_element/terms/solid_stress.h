@@ -28,7 +28,7 @@ struct SolidStress
         static_cast<dealii::Tensor<2, 3, Number>>(point.tangent * symmetrize(change.elastic)) +
         change.elastic * stress;
     if (point.unloading != nullptr)
-      acting += stress * transpose(change.elastic) + change.rest_ratio * stress;
+      acting += stress * transpose(change.elastic) + change.stress_free_ratio * stress;
     point.add_stress(acting, tested);
   }
 };

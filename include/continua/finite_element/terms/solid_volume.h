@@ -40,7 +40,7 @@ struct SolidVolume
     else if (scheme.volume_is_rate)
       row_change += trace(change.velocity_gradient);
     else
-      row_change += (trace(change.moved) - change.rest_ratio) / b;
+      row_change += (trace(change.moved) - change.stress_free_ratio) / b;
     tested.of_volume += point.volume_ratio() * (row_change + trace(change.moved) * row(point));
   }
 
@@ -63,7 +63,7 @@ private:
       return of_pressure + trace(point.velocity_gradient);
     return of_pressure + (of_each([](const double change) { return std::log1p(change); },
                                   point.kinematics.volume_change()) -
-                          std::log(point.rest_ratio)) /
+                          std::log(point.stress_free_ratio)) /
                              scheme.displacement_by_velocity;
   }
 };

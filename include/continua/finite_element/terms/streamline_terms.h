@@ -48,7 +48,7 @@ private:
   dealii::FEValues<dim> values;
   Step step;
   unsigned int region = 0;
-  double size_at_rest = 0., size = 0.;        ///< of the cell [m]
+  double undeformed_size = 0., size = 0.;     ///< of the cell [m]
   dealii::Point<dim> place;                   ///< of the point
   std::vector<dealii::Tensor<1, dim>> forces; ///< viscous_forces()
 

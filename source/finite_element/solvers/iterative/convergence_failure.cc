@@ -10,7 +10,7 @@ std::string describe_convergence_failure(const Space<dim> &space,
                                          const LinearSolverParameters &parameters,
                                          const SaddlePointSolver::Blocks &system,
                                          StepPreconditioner<dim> &used,
-                                         const FurtherTerms kind,
+                                         const TangentTerms kind,
                                          const KrylovReport &report)
 {
   // A + B^T W B, whose inverse the preconditioner of the velocities is, with the terms that A and B
@@ -19,8 +19,8 @@ std::string describe_convergence_failure(const Space<dim> &space,
   DistributedVector of_mass = space.pressure_vector(), of_velocity = space.velocity_vector();
   const LinearFunction matrix = [&](DistributedVector &target, const DistributedVector &source)
   {
-    if (system.whole)
-      system.whole(source, no_pressure, target, of_mass);
+    if (system.tangent_product)
+      system.tangent_product(source, no_pressure, target, of_mass);
     else
     {
       system.velocity.multiply(target, source);
@@ -41,7 +41,7 @@ std::string describe_convergence_failure(const Space<dim> &space,
     return convergence_factor(matrix, inverse, system.velocity.diagonal(), is_of_block);
   };
   BlockFactors factors;
-  factors.further_terms = kind;
+  factors.tangent_terms = kind;
   factors.residual = report.residual;
   factors.of_all = report.late_factor;
   factors.has_stiff = used.has_stiff;
@@ -65,7 +65,7 @@ template std::string describe_convergence_failure(const Space<2> &,
                                                   const LinearSolverParameters &,
                                                   const SaddlePointSolver::Blocks &,
                                                   StepPreconditioner<2> &,
-                                                  FurtherTerms,
+                                                  TangentTerms,
                                                   const KrylovReport &);
 
 template std::string describe_convergence_failure(const Space<3> &,
@@ -73,6 +73,6 @@ template std::string describe_convergence_failure(const Space<3> &,
                                                   const LinearSolverParameters &,
                                                   const SaddlePointSolver::Blocks &,
                                                   StepPreconditioner<3> &,
-                                                  FurtherTerms,
+                                                  TangentTerms,
                                                   const KrylovReport &);
 } // namespace Continua

@@ -126,7 +126,7 @@ KrylovReport IterativeStepSolver<dim>::solve_by_krylov(const SaddlePointSolver::
 
 template <int dim>
 std::string IterativeStepSolver<dim>::describe_failure(const SaddlePointSolver::Blocks &system,
-                                                       const FurtherTerms kind,
+                                                       const TangentTerms kind,
                                                        const KrylovReport &report)
 {
   solver.free_basis();
@@ -149,7 +149,7 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
     text << "the iterative solver has not converged: after " << report.iterations
          << " iterations the residual is " << report.residual
          << " of the largest term of the equations, and Linear solver/Tolerance is "
-         << parameters.tolerance << ". " << describe_failure(system, FurtherTerms::none, report);
+         << parameters.tolerance << ". " << describe_failure(system, TangentTerms::none, report);
     throw RunError(text.str());
   }
   last_velocity.equ(1., velocity);
@@ -158,16 +158,17 @@ unsigned int IterativeStepSolver<dim>::solve(const DistributedVector &momentum,
 }
 
 template <int dim>
-unsigned int IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Product &whole,
-                                                     const FurtherTerms kind,
-                                                     const double tolerance,
-                                                     const DistributedVector &momentum,
-                                                     const DistributedVector &mass,
-                                                     DistributedVector &velocity,
-                                                     DistributedVector &pressure)
+unsigned int
+IterativeStepSolver<dim>::solve_tangent(const SaddlePointSolver::Product &tangent_product,
+                                        const TangentTerms kind,
+                                        const double tolerance,
+                                        const DistributedVector &momentum,
+                                        const DistributedVector &mass,
+                                        DistributedVector &velocity,
+                                        DistributedVector &pressure)
 {
   SaddlePointSolver::Blocks tangent = blocks.all();
-  tangent.whole = whole;
+  tangent.tangent_product = tangent_product;
   const KrylovReport report =
       solve_by_krylov(tangent, tolerance, true, momentum, mass, velocity, pressure);
   if (!report.converged)

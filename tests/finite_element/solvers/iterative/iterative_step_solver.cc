@@ -157,9 +157,9 @@ void check_grad_div(const std::string &name,
   typename MatrixFreeProduct<2, double>::Vector source, target;
   product->initialise(source);
   product->initialise(target);
-  const SaddlePointSolver::Product further = [&](const DistributedVector &velocity,
-                                                 const DistributedVector &,
-                                                 DistributedVector &momentum, DistributedVector &)
+  const SaddlePointSolver::Product add_nonlinear_terms =
+      [&](const DistributedVector &velocity, const DistributedVector &, DistributedVector &momentum,
+          DistributedVector &)
   {
     std::copy(velocity.begin(), velocity.end(), source.begin());
     product->multiply(target, source);
@@ -181,8 +181,8 @@ void check_grad_div(const std::string &name,
     system.add_velocity_product(change, momentum);
     constraints.restrict_to_free(momentum);
     system.add_divergence(-1., change, mass);
-    system.solve_tangent(further, FurtherTerms::convection, 1e-3, momentum, mass, velocity,
-                         pressure);
+    system.solve_tangent(add_nonlinear_terms, TangentTerms::convection, 1e-3, momentum, mass,
+                         velocity, pressure);
     solution = velocity;
     return static_cast<double>(system.take_iterations());
   };

@@ -21,7 +21,7 @@ std::string describe_convergence_failure(const Space<dim> &space,
                                          const LinearSolverParameters &parameters,
                                          const SaddlePointSolver::Blocks &system,
                                          StepPreconditioner<dim> &used,
-                                         FurtherTerms kind,
+                                         TangentTerms kind,
                                          const KrylovReport &report);
 } // namespace Continua
 

@@ -55,8 +55,8 @@ public:
   /// The same for a tangent, whose product is given (see SaddlePointSolver::Blocks): from zero,
   /// until the residual is below `tolerance` times that at the start. `kind`: for the message.
   /// Throws StepFailure if that takes too many iterations.
-  unsigned int solve_tangent(const SaddlePointSolver::Product &whole,
-                             FurtherTerms kind,
+  unsigned int solve_tangent(const SaddlePointSolver::Product &tangent_product,
+                             TangentTerms kind,
                              double tolerance,
                              const DistributedVector &momentum,
                              const DistributedVector &mass,
@@ -99,7 +99,7 @@ private:
                                DistributedVector &pressure);
   /// See describe_convergence_failure(); frees the basis before.
   std::string describe_failure(const SaddlePointSolver::Blocks &system,
-                               FurtherTerms kind,
+                               TangentTerms kind,
                                const KrylovReport &report);
   /// Of a solve that has converged: whether the preconditioner is worn.
   void record_use(unsigned int iterations);
