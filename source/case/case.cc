@@ -1,3 +1,4 @@
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/case/before_the_run/cost_of_case.h>
 #include <continua/case/case.h>
 #include <continua/case/rules/case_checks.h>

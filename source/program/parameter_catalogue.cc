@@ -1,9 +1,10 @@
+#include <continua/boundary/boundary_types.h>
 #include <continua/program/parameter_catalogue.h>
 
 #include <continua/base/input_error.h>
 #include <continua/base/joined.h>
 #include <continua/base/parameter_text.h>
-#include <continua/boundary/boundary_condition.h>
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/case/case.h>
 #include <continua/case/measured_waves.h>
 #include <continua/continuum/convection.h>

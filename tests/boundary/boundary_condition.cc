@@ -1,6 +1,7 @@
 // Every type of boundary condition, conditions of one region, and what is refused.
 
-#include <continua/boundary/boundary_condition.h>
+#include <continua/boundary/boundary_conditions.h>
+#include <continua/boundary/boundary_types.h>
 
 #include "../parameter_text.h"
 #include "../unit_test.h"

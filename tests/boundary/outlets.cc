@@ -1,5 +1,6 @@
 // The outlets of boundary conditions: for the part of the tube that is modelled, of liquids only.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 

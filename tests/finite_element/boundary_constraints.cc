@@ -1,5 +1,6 @@
 // u = T u_free + g(t) on straight and inclined faces, at corners, with rollers and conflicts.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 
 #include "../parameter_text.h"

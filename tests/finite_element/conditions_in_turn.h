@@ -3,6 +3,7 @@
 
 // Boundary conditions from a text, in tests on several ranks.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 
 #include "../parameter_text.h"

@@ -1,6 +1,7 @@
 // The discrete flow of a flow-rate boundary is the prescribed one: straight, with hanging nodes,
 // and for profiles that the elements do not hold; at the rim and along the boundary nothing moves.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/finite_element/conditions/boundary_constraints.h>
 #include <continua/finite_element/conditions/flow_shapes.h>

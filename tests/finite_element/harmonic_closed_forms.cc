@@ -2,6 +2,7 @@
 // of which are divided: a plug of an incompressible liquid before a windkessel, and a bar without
 // mass that relaxes, on a spring with a dashpot. At any s, on any number of ranks.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/finite_element/taylor_hood.h>

@@ -1,6 +1,7 @@
 // Resultants of tractions, pressure and body force on straight, inclined and axisymmetric bodies;
 // what follows a solid in finite deformation is none of them.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/finite_element/conditions/loads.h>
 
 #include <limits>

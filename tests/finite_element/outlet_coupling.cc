@@ -2,6 +2,7 @@
 // down by itself: whatever holds the ports, with hanging nodes, on any number of ranks, by each
 // scheme.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/continuum/outlet_coupling.h>

@@ -3,7 +3,7 @@
 
 // Boundary conditions of a quarter of a shell, for the unit tests of products without a matrix.
 
-#include <continua/boundary/boundary_condition.h>
+#include <continua/boundary/boundary_conditions.h>
 
 #include "../parameter_text.h"
 

@@ -1,6 +1,7 @@
 // The system of a step solved for a known velocity and pressure, on hanging nodes, with an inclined
 // roller and an inclined support; and the factor's life.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/finite_element/products/supports.h>
 #include <continua/finite_element/solvers/step_system.h>
 

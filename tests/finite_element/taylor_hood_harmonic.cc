@@ -5,6 +5,7 @@
 
 #include <continua/base/input_error.h>
 #include <continua/base/undefined.h>
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/finite_element/taylor_hood.h>

@@ -1,6 +1,7 @@
 // Free vibrations on hanging nodes, one of the two materials incompressible, beside an inclined
 // roller: what any pair of symmetric matrices K and M has.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/finite_element/taylor_hood_vibration.h>
 #include <continua/linear_algebra/eigenpairs.h>
 

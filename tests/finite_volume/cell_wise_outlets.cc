@@ -2,6 +2,7 @@
 // the ports as loads, and those of the outlets, which the test writes down by itself: whether they
 // hold the section by a pressure or by the flow rate, with hanging nodes, on any number of ranks.
 
+#include <continua/boundary/boundary_conditions.h>
 #include <continua/boundary/flow_rates.h>
 #include <continua/boundary/outlets.h>
 #include <continua/continuum/outlet_coupling.h>

@@ -1,6 +1,7 @@
 // The printed documentation: complete, and in three forms.
 
 #include <continua/boundary/boundary_condition.h>
+#include <continua/boundary/boundary_types.h>
 #include <continua/materials/material.h>
 #include <continua/mesh/geometry.h>
 #include <continua/program/analyses.h>

@@ -1,9 +1,8 @@
 #ifndef continua_boundary_boundary_condition_h
 #define continua_boundary_boundary_condition_h
 
-#include <continua/base/words.h>
 #include <continua/boundary/absorbing_end_parameters.h>
-#include <continua/boundary/flow_profile.h>
+#include <continua/boundary/boundary_part.h>
 #include <continua/boundary/outlet.h>
 #include <continua/signal/waveform.h>
 
@@ -16,39 +15,6 @@
 
 namespace Continua
 {
-/**
- * Either the normal or the tangential half of what holds on a boundary. Its value is the vector
- * `vector + along_normal n` of which the half's own part counts; n is the outward normal.
- */
-struct BoundaryPart
-{
-  enum class Kind
-  {
-    velocity, ///< prescribed [m/s]
-    traction  ///< natural [Pa]
-  };
-  Kind kind = Kind::traction;
-  std::vector<Waveform> vector; ///< Cartesian components; empty is zero
-  Waveform along_normal; ///< normal part only; a pressure p stands here as -p with `negative`
-  bool negative = false;
-  /// Of a flow rate, else null: `along_normal` is the flow rate into the body [m^3/s], and the
-  /// velocity along the normal is minus the profile's.
-  std::shared_ptr<const FlowProfile> flow;
-  /// Springs and dampers around the body, which add -(stiffness D + damping U) to the traction. D
-  /// is the displacement from the undeformed body.
-  double stiffness = 0.; ///< [Pa/m]
-  double damping = 0.;   ///< [Pa s/m]
-
-  bool is_zero() const;
-  /// Whether the velocity is prescribed to be zero.
-  bool is_fixed() const { return kind == Kind::velocity && is_zero(); }
-  /// Whether it pushes back where the body moves.
-  bool is_supported() const { return stiffness > 0. || damping > 0.; }
-  /// Whether nothing acts on the half.
-  bool is_free() const { return kind == Kind::traction && is_zero() && !is_supported(); }
-  bool depends_on_time() const;
-};
-
 /// The rows of the table of conditions, see boundary_types().
 enum class BoundaryType
 {
@@ -164,34 +130,6 @@ private:
   /// All that it has, for what is said of tables.
   std::vector<const Waveform *> waveforms() const;
 };
-
-/// The types that exist: name and a line of description, for the manual and `Type`.
-std::vector<std::pair<std::string, std::string>> boundary_types();
-const Words<BoundaryType> &boundary_type_words();
-
-/**
- * The names of the boundaries along which the section Boundaries prescribes the velocity (Type =
- * fixed, velocity, or flow rate with a profile, Tangential = fixed, Coupling = flow), for a
- * geometry, which is made before the conditions can be read. Declares and refuses nothing.
- */
-std::set<std::string> boundaries_held_across(const ParameterFile &file);
-
-/// Whether the mesh of some boundary follows a prescribed motion (Mesh = follows). Declares and
-/// refuses nothing.
-bool some_mesh_follows(const ParameterFile &file);
-
-/**
- * Reads the section Boundaries: one child for each boundary, named after it; or a child of any name
- * with `Boundary` and `Region`. `pairs` are the (boundary, region) pairs that the mesh has: each
- * must get exactly one condition. Throws InputError.
- */
-std::vector<BoundaryCondition>
-read_boundary_conditions(ParameterSection section,
-                         const std::vector<std::string> &boundaries,
-                         const std::vector<std::string> &regions,
-                         const std::set<std::pair<unsigned int, unsigned int>> &pairs,
-                         unsigned int n_dimensions,
-                         bool axisymmetric);
 } // namespace Continua
 
 #endif

@@ -1,3 +1,4 @@
+#include <continua/boundary/boundary_types.h>
 #include <continua/case/theory/tube_wave_case.h>
 
 #include <continua/case/theory/loaded_tube_case.h>
