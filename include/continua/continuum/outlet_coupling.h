@@ -1,17 +1,15 @@
 #ifndef continua_continuum_outlet_coupling_h
 #define continua_continuum_outlet_coupling_h
 
-#include <continua/continuum/end_model.h>
-#include <continua/continuum/operators.h>
+#include <continua/continuum/body_port.h>
+#include <continua/continuum/end_models.h>
+#include <continua/continuum/port_system.h>
 #include <continua/continuum/power_balance.h>
-#include <continua/continuum/problem.h>
 #include <continua/continuum/step_solution.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace Continua
@@ -21,19 +19,11 @@ namespace Continua
  * own flow rates cause.
  *
  * A step's equations are solved without outlets first; to that solution a few others, the responses
- * of the body to each port alone, are added in the amounts that the outlets' equations ask for. For
- * a port that holds the pressure p the response is that to the force -q p, q_i = int v_i . n; what
- * it gives back is its flow rate q . U. For a port that holds the flow rate Q it is the response to
- * the prescribed velocity phi Q, where the flow of phi is 1; what it gives back is its pressure by
- * virtual power, p = -phi . (A U + G p - f). With the inputs s, the outputs o = o0 + H s and the
- * models' p = p_plus + Z Q (EndModel),
- *
- *   [ I_p + I_Q H - Z (I_Q + I_p H) ] s = p_plus + (Z I_p - I_Q) o0,
- *
- * with I_p, I_Q ones at the ports of either kind. H and the responses belong to the factor of the
- * step's matrix and are made when that is; a step adds one sum over the ranks and no solve. Where a
- * model is not linear (a network) the small system is solved again with the p_plus and Z about the
- * flow rates that were found, until these stay: still without a solve of the body.
+ * of the body to each port alone (BodyPort), are added in the amounts that the outlets' equations
+ * ask for (PortSystem). H and the responses belong to the factor of the step's matrix and are made
+ * when that is; a step adds one sum over the ranks and no solve. Where a model is not linear (a
+ * network) the small system is solved again with the p_plus and Z about the flow rates that were
+ * found, until these stay: still without a solve of the body.
  *
  * On a mesh that moves q belongs to the present section and Q = q . (U - W), with the velocity W of
  * the mesh, but for absorbing ends, whose theory is linear: Q = q . U. There the pressures are a
@@ -110,15 +100,15 @@ public:
   /// Of each outlet, at the balanced level.
   void power(std::vector<OutletPower> &of_outlets) const;
   /// Stored by those outlets whose terms are stores [J].
-  double energy() const;
+  double energy() const { return models.energy(); }
   /// Pressure [Pa] and flow rate [m^3/s] of a port at the balanced level.
   double pressure(const unsigned int outlet, const unsigned int port) const
   {
-    return pressures[first_port[outlet] + port];
+    return pressures[models.first_port(outlet) + port];
   }
   double flow_rate(const unsigned int outlet, const unsigned int port) const
   {
-    return flow_rates[first_port[outlet] + port];
+    return flow_rates[models.first_port(outlet) + port];
   }
   /// The ports' pressures at the present time with the velocity there, by condition; 0 of
   /// conditions that are no port [Pa].
@@ -127,39 +117,19 @@ public:
   void
   add_present_forces(double time, const DistributedVector &velocity, DistributedVector &forces);
   /// The network at ends of the body in its present state, or null.
-  const Network *network();
+  const Network *network() { return models.network(); }
   /// Whether the pressure behind an outlet jumps between the two times [s].
-  bool jumps(double begin, double end) const;
+  bool jumps(double begin, double end) const { return models.jumps(begin, end); }
 
   /// Hands over all that a step changes.
   void visit(StateVisitor &visitor);
 
 private:
-  /// The entries of an owned vector that are not zero, by local index.
-  using Sparse = std::vector<std::pair<unsigned int, double>>;
-  struct Port
-  {
-    unsigned int outlet;
-    unsigned int condition;
-    bool holds_flow;
-    bool moves_with_mesh;           ///< its flow rate is that past a mesh that moves
-    Sparse flow;                    ///< q [m^2], of a mesh that moves at the last iterate
-    Sparse velocity;                ///< phi [1/m^2]; of a port that holds the flow rate
-    double square_of_velocity = 0.; ///< phi . phi [1/m^4]
-    Sparse momentum_of_velocity, mass_of_velocity; ///< A^T phi and -G^T phi
-    DistributedVector velocity_response, pressure_response;
-    double force = 0.; ///< phi . f of this rank
-  };
-
   const Problem &problem;
   Operators &operators;
-  std::vector<Port> ports;
-  std::vector<unsigned int> first_port;          ///< by outlet
-  std::vector<std::unique_ptr<EndModel>> models; ///< by outlet
-  dealii::FullMatrix<double> responses;          ///< H
-  dealii::FullMatrix<double> impedances;         ///< Z of the step
-  dealii::FullMatrix<double> inputs_of_rhs;      ///< inverse of the matrix above
-  bool inputs_are_current = false;
+  std::vector<BodyPort> ports;
+  EndModels models;
+  PortSystem system;
   std::vector<double> pressures, flow_rates; ///< by port, at the balanced level [Pa], [m^3/s]
   std::vector<double> flow_rates_of_mesh;    ///< q . W, which is no part of them [m^3/s]
   /// The same at the present time: from step to step as the velocities go on.
@@ -167,26 +137,23 @@ private:
   // Work space of the step.
   std::vector<double> sums;
   DistributedVector section;
-  dealii::Vector<double> outputs, completed, rhs, inputs, predicted;
+  dealii::Vector<double> outputs, predicted;
+  dealii::FullMatrix<double> impedances; ///< Z of the step
 
-  static Sparse sparse(const DistributedVector &vector);
-  static double product(const Sparse &sparse, const DistributedVector &vector);
   /// Takes the ports' sections at a displacement of the mesh.
   void take_sections(const DistributedVector &mesh_displacement);
   /// The flow rates of a velocity through the sections at the present time, past the mesh, by port.
   std::vector<double> present_flow_rates(const DistributedVector &velocity);
-  /// This rank's part of what a port gives back.
-  double output(const Port &port,
-                const DistributedVector &velocity,
-                const DistributedVector &pressure) const;
   /// Takes Z and the predicted pressures of the models; `changed`: whether any Z has.
   void take_models(bool changed);
-  /// Solves for the ports' pressures and flow rates, of outputs and predicted pressures.
-  void solve_ports();
-  /// Linearises the models about the flow rates; whether that has changed anything.
-  bool correct_models();
-  /// The same until nothing changes, and adds the responses.
-  void add_responses(DistributedVector &velocity, DistributedVector &pressure);
+  /// Solves for the ports' pressures and flow rates, of outputs and predicted pressures; the inputs
+  /// of the body.
+  const dealii::Vector<double> &solve_ports();
+  /// Solves for the ports until the models stay as they are, and adds the responses.
+  void complete(DistributedVector &velocity, DistributedVector &pressure);
+  void add_responses(const dealii::Vector<double> &inputs,
+                     DistributedVector &velocity,
+                     DistributedVector &pressure) const;
 };
 } // namespace Continua
 
