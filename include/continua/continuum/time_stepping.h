@@ -6,12 +6,20 @@
 #include <continua/continuum/branch_history.h>
 #include <continua/continuum/bulk_history.h>
 #include <continua/continuum/kept_state.h>
+#include <continua/continuum/known_pressure.h>
 #include <continua/continuum/ledger.h>
 #include <continua/continuum/level_products.h>
+#include <continua/continuum/massless_motion.h>
 #include <continua/continuum/newton.h>
 #include <continua/continuum/operators.h>
 #include <continua/continuum/outlet_coupling.h>
+#include <continua/continuum/prepared_system.h>
 #include <continua/continuum/problem.h>
+#include <continua/continuum/solid_nodes.h>
+#include <continua/continuum/state_levels.h>
+#include <continua/continuum/steady_change.h>
+#include <continua/continuum/steady_solve.h>
+#include <continua/continuum/step_right_side.h>
 #include <continua/continuum/wall_shear_average.h>
 
 #include <optional>
@@ -42,7 +50,7 @@ public:
   /// One step; throws RunError if the result is not finite or the solve failed.
   StepReport advance(const Step &step);
   /// Whether solve_steady() applies: the body is all solid or all fluid.
-  bool steady_is_direct() const;
+  bool steady_is_direct() const { return steady_solve.applies(); }
   /// One solve without time, loads taken at `time` [s]: the displacement of a solid at rest, the
   /// velocity of a steady flow. Throws RunError.
   void solve_steady(double time);
@@ -62,7 +70,7 @@ public:
   /// Of the last step at the time at which it balances, or of the steady solution; see Ledger.
   const DistributedVector &forces_at_nodes(const std::optional<unsigned int> region)
   {
-    return ledger.forces_at_nodes({solution, velocity_older, velocity}, region);
+    return ledger.forces_at_nodes({solution, levels.velocity_older, levels.velocity}, region);
   }
 
   /// Call when cells are flagged and before the triangulation changes, and after.
@@ -75,12 +83,15 @@ public:
   State state();
   double time() const { return present_time; }
   /// The pressures of the outlets' ports at the present time, by boundary condition [Pa].
-  std::vector<double> port_pressures() { return outlets.present_pressures(present_time, velocity); }
+  std::vector<double> port_pressures()
+  {
+    return outlets.present_pressures(present_time, levels.velocity);
+  }
   /// Call before others than the steps change the state, as shapes of vibration do.
   void share_state() { products.share(); }
-  DistributedVector &present_velocity() { return velocity; }
+  DistributedVector &present_velocity() { return levels.velocity; }
   DistributedVector &present_displacement() { return history.displacement(); }
-  DistributedVector &present_pressure() { return pressure; }
+  DistributedVector &present_pressure() { return levels.pressure; }
   /// Of a harmonic motion, see State::mixtures; empty until it sets them.
   std::vector<DistributedVector> &present_mixtures() { return mixtures; }
 
@@ -96,27 +107,20 @@ private:
   /// None where all terms are linear. Its factor is no part of the state: a checkpoint makes it
   /// forgotten.
   mutable std::optional<Newton> newton;
+  StateLevels levels;
   LevelProducts products;
+  StepRightSide right_side;
+  MasslessMotion massless_motion;
+  PreparedSystem system;
+  KnownPressure known_pressure;
+  SteadyChange steady_change;
+  SolidNodes solid_nodes;
+  SteadySolve steady_solve;
   Ledger ledger;
-
-  // The state: at the present time, and one step before.
-  DistributedVector velocity, velocity_older, pressure, pressure_older;
   double present_time = 0.;
-  std::vector<DistributedVector> mixtures; ///< by region, of a harmonic motion alone
-  StepSolution solution;                   ///< by the last step
-  DistributedVector prescribed;            ///< velocities, constants set once [m/s]
-  // The last pressure known at a time of its own, from which that of an incompressible material is
-  // extrapolated.
-  DistributedVector pressure_known;
-  double pressure_known_time = 0.;
-  std::vector<unsigned int> pressures_without_history; ///< local indices
-  bool some_pressures_without_history = false;         ///< on any rank
-  /// Relaxation times whose exponential update the log has told of.
-  std::set<double> exponential_branches_reported;
-  // Work space of the step.
-  /// Of the step before, and what of them linear products have.
-  SystemCoefficients equation_coefficients, coefficients;
-  DistributedVector momentum, mass, velocity_work, mixture, pressure_work, mass_work;
+  std::vector<DistributedVector> mixtures;  ///< by region, of a harmonic motion alone
+  StepSolution solution;                    ///< of the last step
+  DistributedVector velocity_work, product; ///< work space
 
   KeptState kept;
 
@@ -125,8 +129,8 @@ private:
   void visit(StateVisitor &visitor);
   State present() const
   {
-    return State{velocity,
-                 pressure,
+    return State{levels.velocity,
+                 levels.pressure,
                  history,
                  wall_shear.is_on() ? &wall_shear : nullptr,
                  operators.wall_potentials(),
@@ -137,40 +141,12 @@ private:
   }
   /// Where a run writes a checkpoint or begins anew it goes on as a restart would.
   void forget_linearisation() const;
-  /// Of the velocity nodes of this rank: whether a solid has them.
-  std::vector<bool> nodes_of_solids() const;
-  void report_exponential_branches(const Step &step);
-  /// StepReport::steady_change of a step that is solved and not finished.
-  double steady_change(const Step &step);
   /// Solves the equations of a step at its balanced level.
   void balance(const Step &step, StepReport &report);
   /// The same by Newton's iteration, of the right-hand sides that are set.
   void iterate(const Step &step, bool system_is_new, StepReport &report);
-  /// Whether the linear system and the right-hand sides have nothing of a region but its supports
-  /// and loads.
-  bool has_all_terms_in(const unsigned int region) const
-  {
-    return operators.has_all_terms_in(region);
-  }
-  /// Sets balanced.velocity to the velocity at the level that a step balances, extrapolated from
-  /// the last two levels.
-  void extrapolate_velocity(const Step &step);
-  /// Sets the first guess of the velocity [m/s] of solids in finite deformation to zero.
-  void stop_finite_solids(DistributedVector &of_velocity) const;
-  /// The parts of a step: its system, its right-hand sides, and the state at its end.
-  SystemChange prepare(const Step &step, StepReport &report);
-  void set_momentum(const Step &step);
-  void set_mass(const Step &step);
-  void set_prescribed(const Step &step);
+  /// Sets the state at the end of a step that is solved.
   void finish(const Step &step);
-  void extrapolate_pressure(const Step &step);
-  /// Velocities without mass deform by the forces that are out of balance at this time: at the
-  /// start, where the load is there at once, and on a new mesh.
-  void deform_by_imbalance(double time);
-  /// They deform by a load that jumps in the step, where the rule is trapezoidal.
-  void deform_by_jump(const Step &step);
-  /// They deform by the forces in `momentum`.
-  void deform_massless();
 };
 } // namespace Continua
 
