@@ -7,6 +7,10 @@ namespace Continua
 {
 // Parts of rules().
 
+/// Of convection, and of what is there with it alone.
+std::vector<Rule> rules_of_convection();
+/// One matrix serves all steps of explicit convection, so that nothing else may be nonlinear.
+std::vector<Rule> rules_of_explicit_convection();
 /// Of the cell-wise discretisation.
 std::vector<Rule> rules_of_cells();
 /// Of a cell-wise mesh whose vertices move before each step.
