@@ -124,7 +124,7 @@ void check_load_steps(const Case<dim> &input, ParameterSection root)
 template <int dim>
 void check_case(const Case<dim> &input, ParameterSection root)
 {
-  check_rules(input, root);
+  check_rules(rules(), input, root);
   check_deformation(input, root);
   check_supports(input, root);
   input.analysis.check(input, root);

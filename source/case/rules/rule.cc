@@ -5,10 +5,12 @@
 namespace Continua
 {
 template <int dim>
-void check_rules(const Case<dim> &input, ParameterSection root)
+void check_rules(const std::vector<Rule> &of_features,
+                 const Case<dim> &input,
+                 ParameterSection root)
 {
   FeaturesOfCase<dim> features(input, root);
-  for (const Rule &rule : rules())
+  for (const Rule &rule : of_features)
     for (const std::string &refused : rule.refused)
     {
       const std::optional<EntryPlace> place = features.place(refused);
@@ -25,6 +27,6 @@ void check_rules(const Case<dim> &input, ParameterSection root)
     }
 }
 
-template void check_rules(const Case<2> &, ParameterSection);
-template void check_rules(const Case<3> &, ParameterSection);
+template void check_rules(const std::vector<Rule> &, const Case<2> &, ParameterSection);
+template void check_rules(const std::vector<Rule> &, const Case<3> &, ParameterSection);
 } // namespace Continua

@@ -22,9 +22,12 @@ struct Rule
 /// All rules, in the order in which they are tried. To add one, add a row.
 const std::vector<Rule> &rules();
 
-/// Refuses an input with two features that exclude each other. Throws InputError.
+/// Refuses an input with two features that exclude each other by one of the rules, the first of
+/// them in their order. Throws InputError.
 template <int dim>
-void check_rules(const Case<dim> &input, ParameterSection root);
+void check_rules(const std::vector<Rule> &of_features,
+                 const Case<dim> &input,
+                 ParameterSection root);
 } // namespace Continua
 
 #endif
