@@ -128,7 +128,7 @@ void DiscreteContinuum<dim>::indicators(const IndicatorRequest &request,
 }
 
 template <int dim>
-double DiscreteContinuum<dim>::error_norm(const std::string &field,
+double DiscreteContinuum<dim>::error_norm(const ComparedField field,
                                           const std::vector<Expression> &exact,
                                           const double time)
 {

@@ -319,7 +319,7 @@ void CellWise<dim>::indicators(const IndicatorRequest &request,
 
 template <int dim>
 double CellWise<dim>::error_norm(const State &state,
-                                 const std::string &field,
+                                 const ComparedField field,
                                  const std::vector<Expression> &exact,
                                  const double time)
 {

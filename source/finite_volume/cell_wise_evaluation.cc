@@ -14,7 +14,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <stdexcept>
 
 namespace Continua
 {
@@ -339,22 +338,15 @@ std::array<double, 6> CellWiseEvaluation<dim>::stress_at(const CellPlace &place,
 
 template <int dim>
 double CellWiseEvaluation<dim>::error_norm(const State &state,
-                                           const std::string &field,
+                                           const ComparedField field,
                                            const std::vector<Expression> &exact,
                                            const double time) const
 {
-  const bool is_pressure = field == "pressure";
-  const bool is_stress = field == "stress";
-  if (!is_pressure && !is_stress && field != "velocity" && field != "displacement")
-    throw std::invalid_argument("there is no field '" + field + "'");
   const DistributedVector pressure = linear.ghosted_pressure(state.pressure);
-  std::vector<DistributedVector> vectors;
-  if (is_stress)
-    for (unsigned int region = 0; region < problem.regions.size(); ++region)
-      vectors.push_back(ghosted_mixture(state, region));
-  else if (!is_pressure)
-    vectors.push_back(linear.ghosted_velocity(field == "velocity" ? state.velocity
-                                                                  : state.history.displacement()));
+  const std::vector<DistributedVector> vectors = vectors_of(
+      field, problem, state.velocity, state.history.displacement(),
+      [this](const DistributedVector &vector) { return linear.ghosted_velocity(vector); },
+      [this, &state](const unsigned int region) { return ghosted_mixture(state, region); });
 
   // Well above the degree of the fields, so that the number is the error and not the quadrature's.
   const QGauss<dim> quadrature(4);
@@ -370,13 +362,10 @@ double CellWiseEvaluation<dim>::error_norm(const State &state,
     for (const unsigned int q : values.quadrature_point_indices())
     {
       const Point<dim> &point = values.quadrature_point(q);
-      double coordinates[3] = {0., 0., 0.};
-      for (unsigned int c = 0; c < dim; ++c)
-        coordinates[c] = point[c];
       std::array<double, 6> present = {{0., 0., 0., 0., 0., 0.}};
-      if (is_pressure)
+      if (field == ComparedField::pressure)
         present[0] = pressure_factor * linear.value(linear.pressure(place, point), pressure);
-      else if (is_stress)
+      else if (field == ComparedField::stress)
         present = stress_at(place, point, vectors[volume.material_id], pressure);
       else
       {
@@ -386,13 +375,7 @@ double CellWiseEvaluation<dim>::error_norm(const State &state,
         for (unsigned int c = 0; c < dim; ++c)
           present[c] = value[c];
       }
-      double square = 0.;
-      for (unsigned int c = 0; c < exact.size(); ++c)
-      {
-        const double difference = present[c] - exact[c](coordinates, time);
-        square += difference * difference;
-      }
-      sum += square * values.JxW(q) * circumference(point);
+      sum += squared_difference(present, exact, point, time) * values.JxW(q) * circumference(point);
     }
   }
   return std::sqrt(Utilities::MPI::sum(sum, space.communicator));

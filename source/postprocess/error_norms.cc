@@ -30,10 +30,11 @@ std::string unit_of_norm(const Dimension &field, const Model model)
 template <int dim>
 void ErrorNorms<dim>::read(ParameterSection section)
 {
-  const auto add = [&](const std::string &key, const std::string &name, const Dimension &dimension,
-                       const unsigned int n_components, const std::string &components)
+  const auto add = [&](const std::string &key, const std::string &name, const ComparedField what,
+                       const Dimension &dimension, const unsigned int n_components,
+                       const std::string &components)
   {
-    Field field{name, dimension, std::vector<Expression>(n_components)};
+    Field field{name, what, dimension, std::vector<Expression>(n_components)};
     add_expressions(section, key, field.exact, n_components, dimension,
                     "Exact " + name + components + " of (x, y, z, t) [" + dimension.unit() +
                         "], with which the state at the end is compared");
@@ -41,10 +42,10 @@ void ErrorNorms<dim>::read(ParameterSection section)
       fields.push_back(field);
   };
   const std::string each = ", one expression a component";
-  add("Velocity", "velocity", Dimensions::velocity, dim, each);
-  add("Displacement", "displacement", Dimensions::length, dim, each);
-  add("Pressure", "pressure", Dimensions::pressure, 1, "");
-  add("Stress", "stress", Dimensions::pressure, dim == 2 ? 4 : 6,
+  add("Velocity", "velocity", ComparedField::velocity, Dimensions::velocity, dim, each);
+  add("Displacement", "displacement", ComparedField::displacement, Dimensions::length, dim, each);
+  add("Pressure", "pressure", ComparedField::pressure, Dimensions::pressure, 1, "");
+  add("Stress", "stress", ComparedField::stress, Dimensions::pressure, dim == 2 ? 4 : 6,
       std::string(", the components xx, yy, zz, xy") + (dim == 2 ? "" : ", xz, yz") +
           " (zz is the hoop stress in axisymmetry)");
 }
@@ -57,7 +58,7 @@ void ErrorNorms<dim>::finish(ContinuumSolver<dim> &solver,
 {
   for (const Field &field : fields)
   {
-    const double error = solver.error_norm(field.name, field.exact, time);
+    const double error = solver.error_norm(field.compared, field.exact, time);
     summary.add({"L2 error of " + field.name, error, unit_of_norm(field.dimension, model), ""});
 
     // The solver measures only distances from its state u. The norm of the exact solution e follows
@@ -66,8 +67,8 @@ void ErrorNorms<dim>::finish(ContinuumSolver<dim> &solver,
     for (const Expression &component : field.exact)
       opposite.push_back(negative(component));
     const std::vector<Expression> zero(field.exact.size());
-    const double distance_to_opposite = solver.error_norm(field.name, opposite, time);
-    const double norm_of_state = solver.error_norm(field.name, zero, time);
+    const double distance_to_opposite = solver.error_norm(field.compared, opposite, time);
+    const double norm_of_state = solver.error_norm(field.compared, zero, time);
     const double twice_square = error * error + distance_to_opposite * distance_to_opposite -
                                 2. * norm_of_state * norm_of_state;
     // Below this there is nothing but round-off.

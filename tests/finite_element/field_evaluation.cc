@@ -369,7 +369,8 @@ UNIT_TEST(field_evaluation)
     const std::vector<Expression> exact = {Expression("1+2*x+3*y", Dimensions::none),
                                            Expression("5*y+0.5", Dimensions::none)};
     // Off by 0.5 everywhere on an area of 8.
-    check::relative("error norm", error_body.evaluation.error_norm(state, "velocity", exact, 0.),
+    check::relative("error norm",
+                    error_body.evaluation.error_norm(state, ComparedField::velocity, exact, 0.),
                     0.5 * std::sqrt(8.), 1e-12);
   }
   {

@@ -225,13 +225,13 @@ void test_means()
     exact.emplace_back(text, Dimensions::none);
   }
   check::relative(name + "error norm of what is off by 0.5",
-                  body.evaluation.error_norm(body.state(), "velocity", exact, 0.),
+                  body.evaluation.error_norm(body.state(), ComparedField::velocity, exact, 0.),
                   0.5 * std::sqrt(double(dim)), 1e-5);
   const std::vector<Expression> pressure = {
       Expression(dim == 2 ? "2*x + 3*y" : "2*x + 3*y + 4*z", Dimensions::none)};
   // Off by 100 in the fluid alone.
   check::relative(name + "error norm of the pressure",
-                  body.evaluation.error_norm(body.state(), "pressure", pressure, 0.),
+                  body.evaluation.error_norm(body.state(), ComparedField::pressure, pressure, 0.),
                   100. * std::sqrt(dim == 2 ? 0.25 : 0.125), 1e-10);
 
   check::throws<std::invalid_argument>(
@@ -327,7 +327,8 @@ void test_order(const bool axisymmetric)
         (axisymmetric ? 2. * numbers::PI * 0.75 : 4. / 3.));
     const std::vector<Expression> exact = {Expression("x^2+y^2", Dimensions::none),
                                            Expression("x*y", Dimensions::none)};
-    errors["norm"].push_back(body.evaluation.error_norm(body.state(), "velocity", exact, 0.));
+    errors["norm"].push_back(
+        body.evaluation.error_norm(body.state(), ComparedField::velocity, exact, 0.));
   }
   for (const auto &[name, pair] : errors)
     check::absolute((axisymmetric ? "axisymmetric: order of the " : "2-D: order of the ") + name,

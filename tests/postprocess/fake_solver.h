@@ -90,7 +90,7 @@ public:
   void load(const Continua::ArchiveReader &) override {}
 
   /// The distance of constants from zero on a body of volume 1: the state is `state` everywhere.
-  double error_norm(const std::string &,
+  double error_norm(Continua::ComparedField,
                     const std::vector<Continua::Expression> &exact,
                     const double time) override
   {

@@ -2,6 +2,7 @@
 #define continua_continuum_continuum_solver_h
 
 #include <continua/base/archive.h>
+#include <continua/continuum/compared_field.h>
 #include <continua/continuum/harmonic_system.h>
 #include <continua/continuum/liquid_mass.h>
 #include <continua/continuum/motion_extremes.h>
@@ -271,10 +272,10 @@ public:
   virtual void save(ArchiveWriter &archive) const = 0;
   virtual void load(const ArchiveReader &archive) = 0;
 
-  /// L2 norm of the difference between a vector field ("velocity", "displacement") or "pressure",
-  /// "stress" and given functions of (x, y, z, t), one a component; absolute, SI.
+  /// L2 norm of the difference between a field and given functions of (x, y, z, t), one a
+  /// component; absolute, SI. Collective.
   virtual double
-  error_norm(const std::string &field, const std::vector<Expression> &exact, double time) = 0;
+  error_norm(ComparedField field, const std::vector<Expression> &exact, double time) = 0;
 
   virtual SolverSizes sizes() const = 0;
 };

@@ -65,7 +65,7 @@ public:
   void save(ArchiveWriter &archive) const override { stepping.save(archive); }
   void load(const ArchiveReader &archive) override { stepping.load(archive); }
   double
-  error_norm(const std::string &field, const std::vector<Expression> &exact, double time) override;
+  error_norm(ComparedField field, const std::vector<Expression> &exact, double time) override;
   SolverSizes sizes() const override { return discretisation->sizes(); }
 
 private:

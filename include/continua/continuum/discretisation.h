@@ -38,7 +38,7 @@ public:
                           double time,
                           dealii::Vector<float> &per_cell) = 0;
   virtual double error_norm(const State &state,
-                            const std::string &field,
+                            ComparedField field,
                             const std::vector<Expression> &exact,
                             double time) = 0;
   virtual void report_corrections(const std::function<void(const LoopCorrection &)> & /*sink*/) {}

@@ -122,7 +122,7 @@ public:
                   double time,
                   dealii::Vector<float> &per_cell) override;
   double error_norm(const State &state,
-                    const std::string &field,
+                    ComparedField field,
                     const std::vector<Expression> &exact,
                     const double time) override
   {

@@ -88,7 +88,7 @@ public:
                   double time,
                   dealii::Vector<float> &per_cell) override;
   double error_norm(const State &state,
-                    const std::string &field,
+                    ComparedField field,
                     const std::vector<Expression> &exact,
                     double time) override;
   void report_corrections(const std::function<void(const LoopCorrection &)> &sink) override

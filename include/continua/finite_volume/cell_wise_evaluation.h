@@ -42,7 +42,7 @@ public:
                                   const DistributedVector &pressure) const;
   /// L2 norm of the difference to functions; see ContinuumSolver::error_norm.
   double error_norm(const State &state,
-                    const std::string &field,
+                    ComparedField field,
                     const std::vector<Expression> &exact,
                     double time) const;
 

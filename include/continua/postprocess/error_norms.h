@@ -38,6 +38,7 @@ private:
   struct Field
   {
     std::string name;
+    ComparedField compared;
     Dimension dimension;
     std::vector<Expression> exact; ///< one a component
   };

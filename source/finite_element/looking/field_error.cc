@@ -17,13 +17,13 @@ template <int dim>
 FieldError<dim>::FieldError(const Space<dim> &space,
                             const Problem &problem,
                             const State &state,
-                            const std::string &field,
+                            const ComparedField field,
                             std::vector<DistributedVector> vectors)
     : space(space),
       problem(problem),
-      is_pressure(field == "pressure"),
-      is_stress(field == "stress"),
-      moves(state.mesh_displacement != nullptr && field != "displacement"),
+      is_pressure(field == ComparedField::pressure),
+      is_stress(field == ComparedField::stress),
+      moves(state.mesh_displacement != nullptr && field != ComparedField::displacement),
       pressure(space.ghosted_pressure(state.pressure)),
       displacement(moves ? space.ghosted_velocity(*state.mesh_displacement) : DistributedVector()),
       vectors(std::move(vectors)),
@@ -100,18 +100,13 @@ double FieldError<dim>::norm(const std::vector<Expression> &exact, const double 
       for (const unsigned int q : values.quadrature_point_indices())
       {
         const Point<dim> &point = values.quadrature_point(q);
-        double coordinates[3] = {0., 0., 0.};
+        Point<dim> moved = point;
         for (unsigned int c = 0; c < dim; ++c)
-          coordinates[c] = point[c] + displacements[q][c];
+          moved[c] += displacements[q][c];
         const double stretch =
             moves ? kinematics_at(space, values, q, indices, displacement).volume_ratio() : 1.;
-        const std::array<double, 6> present = components(cell->material_id(), q);
-        double square = 0.;
-        for (unsigned int c = 0; c < exact.size(); ++c)
-        {
-          const double difference = present[c] - exact[c](coordinates, time);
-          square += difference * difference;
-        }
+        const double square =
+            squared_difference(components(cell->material_id(), q), exact, moved, time);
         sum += square * stretch * values.JxW(q) * space.circumference(point);
       }
     }

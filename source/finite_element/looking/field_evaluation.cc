@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 namespace Continua
@@ -366,22 +365,14 @@ DistributedVector FieldEvaluation<dim>::ghosted_mixture(const State &state,
 
 template <int dim>
 double FieldEvaluation<dim>::error_norm(const State &state,
-                                        const std::string &field,
+                                        const ComparedField field,
                                         const std::vector<Expression> &exact,
                                         const double time) const
 {
-  const bool is_pressure = field == "pressure";
-  const bool is_stress = field == "stress";
-  if (!is_pressure && !is_stress && field != "velocity" && field != "displacement")
-    throw std::invalid_argument("there is no field '" + field + "'");
-  std::vector<DistributedVector> vectors;
-  if (is_stress)
-    for (unsigned int region = 0; region < problem.regions.size(); ++region)
-      vectors.push_back(ghosted_mixture(state, region));
-  else if (!is_pressure)
-    vectors.push_back(space.ghosted_velocity(field == "velocity" ? state.velocity
-                                                                 : state.displacement_of_shape()));
-
+  std::vector<DistributedVector> vectors = vectors_of(
+      field, problem, state.velocity, state.displacement_of_shape(),
+      [this](const DistributedVector &vector) { return space.ghosted_velocity(vector); },
+      [this, &state](const unsigned int region) { return ghosted_mixture(state, region); });
   return FieldError<dim>(space, problem, state, field, std::move(vectors)).norm(exact, time);
 }
 

@@ -1,6 +1,7 @@
 #ifndef continua_finite_element_looking_field_error_h
 #define continua_finite_element_looking_field_error_h
 
+#include <continua/continuum/compared_field.h>
 #include <continua/continuum/problem.h>
 #include <continua/continuum/state.h>
 #include <continua/finite_element/space/space.h>
@@ -13,7 +14,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace Continua
@@ -23,13 +23,11 @@ template <int dim>
 class FieldError
 {
 public:
-  /// Space, problem and state must outlive it. `field`: pressure, stress, velocity or displacement.
-  /// `vectors`, with ghost entries: of the stress the mixture of each region, of the pressure none,
-  /// else the field. Collective.
+  /// Space, problem and state must outlive it. `vectors`: see vectors_of(). Collective.
   FieldError(const Space<dim> &space,
              const Problem &problem,
              const State &state,
-             const std::string &field,
+             ComparedField field,
              std::vector<DistributedVector> vectors);
 
   /// `time` [s]. Collective.

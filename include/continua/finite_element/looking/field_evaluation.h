@@ -35,7 +35,7 @@ public:
   DistributedVector ghosted_mixture(const State &state, unsigned int region) const;
   /// L2 norm of the difference to functions; see ContinuumSolver::error_norm.
   double error_norm(const State &state,
-                    const std::string &field,
+                    ComparedField field,
                     const std::vector<Expression> &exact,
                     double time) const;
 
