@@ -3,8 +3,10 @@
 refused with a sentence of the table that forbids two of their features, at the entry of the refused one. A feature without a row here, a pair that
 the table forbids and the program accepts, and a refusal by any other sentence or at another place fail the test. So does a rule that holds in no
 file here and is shown by no other test. Two features that give one entry two values have a file only where a rule names both. All files are
-checked by one call of the program."""
+checked by one call of the program. Files that are valid run, too, a run in time for two steps: as few of them as have each feature once, or with
+CONTINUA_ALL_PAIRS=1 all."""
 
+import functools
 import itertools
 import json
 import os
@@ -397,18 +399,21 @@ class WhatGoesWithWhat(unittest.TestCase):
         cls.names = [feature["name"] for feature in cls.table["features"]]
         cls.entry_of = {feature["name"]: feature["entry"] for feature in cls.table["features"]}
 
-    def refusals(self, texts):
-        """By the number of each text the error of the program, or None where it is valid."""
+    @classmethod
+    @functools.lru_cache(maxsize=None)
+    def refusals(cls):
+        """Of each of the files the error of the program, or None where it is valid."""
+        texts = list(cls.files()[0])
         with tempfile.TemporaryDirectory() as folder:
             for number, text in enumerate(texts):
                 with open(os.path.join(folder, f"{number}.prm"), "w", encoding="utf-8") as stream:
                     stream.write(text)
             done = subprocess.run([PROGRAM, "--validate", *(f"{number}.prm" for number in range(len(texts)))], cwd=folder, capture_output=True,
                                   text=True, check=False)
-        self.assertIn(done.returncode, (0, 2), done.stderr[-2000:])
+        assert done.returncode in (0, 2), done.stderr[-2000:]
         valid = {int(number) for number in re.findall(r"^(\d+)\.prm: valid$", done.stdout, re.MULTILINE)}
         errors = {int(number): error for number, error in re.findall(r"(?:^|: )(\d+)\.prm(?::\d+)?: (.*)", done.stderr)}
-        self.assertEqual(valid | set(errors), set(range(len(texts))), done.stderr[-2000:])
+        assert valid | set(errors) == set(range(len(texts))), done.stderr[-2000:]
         return [None if number in valid else errors[number] for number in range(len(texts))]
 
     def test_features(self):
@@ -441,7 +446,9 @@ class WhatGoesWithWhat(unittest.TestCase):
         return [place_of(name, self.entry_of) + "': " + re.escape(rule["reason"]) for rule in self.table["rules"] for name in rule["refused"]
                 if is_on(name, file) and any(is_on(other, file) for other in rule["with"])]
 
-    def files(self):
+    @classmethod
+    @functools.lru_cache(maxsize=None)
+    def files(cls):
         """What each file is of, by its text, and the files."""
         pair_of_text, files = {}, []
 
@@ -450,14 +457,14 @@ class WhatGoesWithWhat(unittest.TestCase):
                 pair_of_text[text_of(file)] = (first, second)
                 files.append(file)
 
-        apart = {frozenset(pair) for pair in self.table["apart"]}
-        for first, second in itertools.combinations_with_replacement(self.names, 2):
+        apart = {frozenset(pair) for pair in cls.table["apart"]}
+        for first, second in itertools.combinations_with_replacement(cls.names, 2):
             if FEATURES[first][0] is not None and FEATURES[second][0] is not None and {first, second} not in apart:
                 file = file_with(FEATURES[first][0], FEATURES[second][0])
                 if file is not None:
                     add(file, first, second)
         n_pairs = len(files)
-        for rule in self.table["rules"]:
+        for rule in cls.table["rules"]:
             for first, second in itertools.product(rule["refused"], rule["with"]):
                 if not any(is_on(first, file) and is_on(second, file) for file in files[:n_pairs]):
                     for file in files_of_rule(first, second):
@@ -467,7 +474,7 @@ class WhatGoesWithWhat(unittest.TestCase):
     def test_pairs(self):
         pair_of_text, files = self.files()
         wrong, n_refused = [], 0
-        for file, pair, error in zip(files, pair_of_text.values(), self.refusals(list(pair_of_text))):
+        for file, pair, error in zip(files, pair_of_text.values(), self.refusals()):
             n_refused += error is not None
             sentences = self.sentences(file)
             if error is None and sentences:
@@ -481,6 +488,32 @@ class WhatGoesWithWhat(unittest.TestCase):
         self.assertEqual(set(unseen), set(ELSEWHERE))
         self.assertGreater(n_refused, 200)
         self.assertGreater(len(files) - n_refused, 500)
+
+    def some_of(self, files):
+        """Numbers of few of these files, which have each feature that one of them has."""
+        features = [{name for name in self.names if is_on(name, file)} for file in files]
+        numbers, missing = [], set().union(*features)
+        while missing:
+            numbers.append(max(range(len(files)), key=lambda number: len(features[number] & missing)))
+            missing -= features[numbers[-1]]
+        return numbers
+
+    def test_runs(self):
+        """What the table lets through runs to its end."""
+        valid = [file for file, error in zip(self.files()[1], self.refusals()) if error is None]
+        numbers = range(len(valid)) if os.environ.get("CONTINUA_ALL_PAIRS") else self.some_of(valid)
+        self.assertGreater(len(numbers), 15)
+        with tempfile.TemporaryDirectory() as folder:
+            for number in numbers:
+                # The times of responses are chosen for what they compare.
+                steps = {"Time/End time": "2 ms"} if in_time(valid[number]) else {}
+                with open(os.path.join(folder, f"{number}.prm"), "w", encoding="utf-8") as stream:
+                    stream.write(text_of({**valid[number], **steps}))
+            done = subprocess.run([PROGRAM, *(f"{number}.prm" for number in numbers), "--output", "results"], cwd=folder, capture_output=True,
+                                  text=True, check=False)
+            ended = [number for number in numbers if os.path.exists(os.path.join(folder, "results", str(number), "summary.json"))]
+        self.assertEqual(done.returncode, 0, done.stderr[-3000:])
+        self.assertEqual(ended, list(numbers))
 
 
 if __name__ == "__main__":
