@@ -1,12 +1,12 @@
 // The channel of Wall and Ramm with a square and a thin beam behind it, in metres: a grid of blocks, symmetric about the beam.
-DefineConstant[fine = 1];      // 2: cells of half the size
+DefineConstant[fine = 1];       // 2: cells of half the size; 0.6, 1.4: numbers of cells are rounded
 DefineConstant[beam_cells = 2]; // across the beam
 side = 0.01; length = 0.04; thickness = 0.0006;
 x[] = {0, 0.045, 0.055, 0.095, 0.195};
 y[] = {0, 0.055, 0.06 - thickness/2, 0.06 + thickness/2, 0.065, 0.12};
 // Cells of a column or a row of blocks, and the ratio of two neighbours along x or y.
-n_x[] = {9*fine, 8*fine, 22*fine, 24*fine};
-n_y[] = {9*fine, 5*fine, beam_cells*fine, 5*fine, 9*fine};
+n_x[] = {Round(9*fine), Round(8*fine), Round(22*fine), Round(24*fine)};
+n_y[] = {Round(9*fine), Round(5*fine), Round(beam_cells*fine), Round(5*fine), Round(9*fine)};
 ratio_x[] = {0.75^(1/fine), 1, 0.95^(1/fine), 1.07^(1/fine)};
 ratio_y[] = {0.72^(1/fine), 0.72^(1/fine), 1, 1/0.72^(1/fine), 1/0.72^(1/fine)};
 For j In {0:5}
