@@ -36,6 +36,13 @@ void compare(const std::string &name,
   const double ratio = estimate.memory / (1e6 * megabytes);
   check::is_true(name + ": memory", ratio > 0.5 && ratio < 2.);
 }
+
+/// Of the factor, L and U.
+void compare_entries(const std::string &name, const CostInput &input, const double n_entries)
+{
+  const double ratio = CostEstimate(input).factor_entries / n_entries;
+  check::is_true(name + ": entries of the factor", ratio > 0.67 && ratio < 1.5);
+}
 } // namespace
 
 UNIT_TEST(cost_estimate)
@@ -96,6 +103,51 @@ UNIT_TEST(cost_estimate)
   compare("cell-wise, velocity and pressure", cells, 20400., 533.);
   cells.has_pressure = false;
   compare("cell-wise, displacement", cells, 13600., 313.);
+
+  // Tangents with a factor, two or three steps each, of 2026-12-01: cylinder-wake with quadratic
+  // velocities, refined twice; turek-hron-cfd3, degree 4; elastic-tube with convection, refined
+  // once and three times; lid-driven-cavity; in space flow-in-a-bend and finite-strain-block, and
+  // elastic-tube-3d with convection, also by MUMPS.
+  const auto with_tangents = [](CostInput input)
+  {
+    input.is_nonlinear = input.has_tangents = true;
+    input.linear_solver.type = LinearSolverType::direct;
+    return input;
+  };
+  CostInput wake = with_tangents(mesh_of(2, 576., 32., 2));
+  compare("wake", wake, 84184., 863.);
+  compare_entries("wake", wake, 15080712.);
+  CostInput of_degree_4 = with_tangents(mesh_of(2, 868., 65., 0));
+  of_degree_4.degree = 4;
+  compare("flow of degree 4", of_degree_4, 36590., 611.);
+  compare_entries("flow of degree 4", of_degree_4, 6639116.);
+  CostInput tube_of_flow = with_tangents(mesh_of(2, 500., 50., 1));
+  tube_of_flow.n_regions = 2;
+  compare("tube with convection", tube_of_flow, 18704., 336.);
+  compare_entries("tube with convection", tube_of_flow, 2524385.);
+  tube_of_flow.refinements = 3;
+  compare("tube with convection, three times", tube_of_flow, 290804., 2610.);
+  compare_entries("tube with convection, three times", tube_of_flow, 61478036.);
+  const CostInput cavity = with_tangents(mesh_of(2, 6400., 80., 0));
+  compare("cavity", cavity, 58403., 635.);
+  compare_entries("cavity", cavity, 10657042.);
+  const CostInput bend = with_tangents(mesh_of(3, 2160., 40., 0));
+  compare("bend", bend, 61310., 2418.);
+  compare_entries("bend", bend, 61420228.);
+  const CostInput block = with_tangents(mesh_of(3, 216., 6., 0));
+  compare("block", block, 6934., 381.);
+  compare_entries("block", block, 3866642.);
+  CostInput tube_in_space = with_tangents(mesh_of(3, 700., 20., 0));
+  tube_in_space.n_regions = 2;
+  compare("tube in space with convection", tube_in_space, 21885., 762.);
+  compare("tube in space with convection, MUMPS", tube_in_space, 21885., 581.);
+  compare_entries("tube in space with convection", tube_in_space, 13565188.);
+  // comparison-turek-hron-cfd1 by the cell-wise path, refined three times, whose matrix has places
+  // that are not symmetric.
+  CostInput flow_of_cells = mesh_of(2, 868., 78., 3);
+  flow_of_cells.cell_wise = flow_of_cells.is_nonlinear = true;
+  compare("cell-wise flow", flow_of_cells, 171856., 3967.);
+  compare_entries("cell-wise flow", flow_of_cells, 89591826.);
 
   // What is asked for more costs more.
   CostInput ranks = tube;

@@ -103,8 +103,8 @@ UNIT_TEST(solver_choice)
   parameters = automatic;
   expect({"tangent", 3, 1.2e5, 1., 100., direct, "^there are no more than 150000"}, parameters,
          true);
-  expect({"tangent, little memory", 3, 1.2e5, 1e4, 5., iterative,
-          "^a factor of the tangent needs about 7.21 GB of 5 GB"},
+  expect({"tangent, little memory", 3, 1.2e5, 1e4, 4., iterative,
+          "^a factor of the tangent needs about 4.5.* of 4 GB"},
          parameters, true);
   expect({"large tangent", 3, 1.6e5, 1e4, 100., iterative, "^there are more than 150000"},
          parameters, true);
@@ -113,8 +113,8 @@ UNIT_TEST(solver_choice)
   expect(
       {"large tangent of finite deformation", 3, 1.6e5, 1e4, 100., direct, "fits into the memory"},
       parameters, true, true);
-  expect({"tangent of finite deformation, little memory", 3, 1.2e5, 1e4, 5., iterative,
-          "^a factor of the tangent needs about 7.21 GB of 5 GB"},
+  expect({"tangent of finite deformation, little memory", 3, 1.2e5, 1e4, 4., iterative,
+          "^a factor of the tangent needs about 4.5.* of 4 GB"},
          parameters, true, true);
   parameters.type = LinearSolverType::direct;
   expect({"direct tangent", 3, 1.6e5, 1., 1., direct, "Linear solver/Type says"}, parameters, true);

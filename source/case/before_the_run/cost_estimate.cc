@@ -21,8 +21,8 @@ constexpr double memory_of_program = 180e6;
 constexpr double bytes_per_entry = 11.5;
 /// What an entry of a complex matrix takes, with the real matrices of which it is the sum.
 constexpr double bytes_per_harmonic_entry = 120.;
-/// The same of an unsymmetric one, while it is made.
-constexpr double bytes_per_unsymmetric_entry = 62.;
+/// What an entry of UMFPACK's factor takes, its own one beside the packed one.
+constexpr double bytes_per_unsymmetric_entry = 25.;
 /// Unknowns of a rank below which messages cost more than the rank computes.
 constexpr double fewest_unknowns_per_rank = 10000.;
 
@@ -75,18 +75,27 @@ double unknowns_of(const CostInput &input, const Bar &bar)
          (input.n_regions - 1.) * interface;
 }
 
+/// Entries of both triangles of a tangent's factor over those of the one triangle of a symmetric
+/// matrix. The order is by the places of A + A^T, as that of a symmetric matrix, with UMFPACK's
+/// symmetric strategy and with MUMPS; whether a material is incompressible changes little.
+double fill_of_tangent(const CostInput &input)
+{
+  return 2.1 * std::pow(0.5 * input.degree, 0.2);
+}
+
 /// Entries of a factor for each unknown, by nested dissection of a bar.
 double fill_of(const CostInput &input, const Bar &bar, const double n_unknowns)
 {
   const double unknowns_per_layer = n_unknowns / bar.length;
   if (input.segregated)
     return 4.;
-  // L and U are both kept of an unsymmetric matrix.
-  const double both = input.cell_wise ? 1.6 : !input.is_nonlinear ? 1. : bar.is_plane ? 3.6 : 2.;
-  const double pivots = input.pivots && !input.cell_wise ? 1.3 : 1.;
+  const double both = input.cell_wise ? 1.6 : input.is_nonlinear ? fill_of_tangent(input) : 1.;
+  const double pivots = input.pivots && !input.cell_wise && !input.is_nonlinear ? 1.3 : 1.;
   if (!bar.is_plane)
     return both * pivots * 1.6 * std::pow(unknowns_per_layer, 0.805) * bar.aspect() /
            (bar.aspect() + 1.);
+  if (input.cell_wise && input.is_nonlinear)
+    return 64. * std::pow(bar.width, 0.47);
   if (input.cell_wise)
     return (input.has_pressure ? 9. : 5.2) * std::pow(bar.width, 0.94);
   const double width = 0.5 * input.degree * bar.width;
@@ -129,10 +138,25 @@ constexpr NewtonCounts counts_of_step{4.5, 0.02};
 constexpr NewtonCounts counts_of_explicit_step{1., 0.};  ///< by a factor
 constexpr NewtonCounts counts_of_steady_search{30., 9.}; ///< of all steps on the way
 
+/// Of a step, or of the way to rest [s].
+double time_of_newton(const CostInput &input, const SolverCost &cost, const double n_unknowns)
+{
+  const bool searches = input.finds_steady_state || input.is_harmonic;
+  const NewtonCounts &counts = searches                    ? counts_of_steady_search
+                               : input.convects_explicitly ? counts_of_explicit_step
+                                                           : counts_of_step;
+  double time = counts.corrections * cost.solve_time + counts.new_factors * cost.factor_time;
+  // The integrals over the present mesh, its own factor, and more factors of the tangent.
+  if (input.mesh_moves)
+    time += 1.5e-6 * counts.corrections * n_unknowns + 0.4 * cost.factor_time;
+  return time;
+}
+
 SystemSize size_of(const CostInput &input, const Bar &bar)
 {
   SystemSize size;
   size.dim = input.dim;
+  size.degree = input.degree;
   size.n_unknowns = unknowns_of(input, bar);
   size.factor_entries = size.n_unknowns * fill_of(input, bar, size.n_unknowns);
   size.n_factors = input.n_factors;
@@ -167,52 +191,34 @@ CostEstimate::CostEstimate(const CostInput &input)
     set_up_time = cost.set_up_time;
     solve_time = cost.solve_time;
   }
-  else if (solver == StepSolver::iterative)
+  else if (input.has_tangents)
   {
     const SolverCost cost = cost_of_tangents(solver, size);
     memory = cost.memory;
     set_up_time = cost.set_up_time;
-    solve_time = cost.solve_time * (input.finds_steady_state ? counts_of_steady_search.corrections
-                                                             : counts_of_step.corrections);
+    solve_time = time_of_newton(input, cost, n_unknowns);
   }
   else
   {
-    // Mesh, numbering, matrices by region and of the step, vectors.
-    const double bytes_per_unknown = !input.cell_wise     ? (is_plane ? 2900. : 7400.)
-                                     : input.segregated   ? 4500.
+    // Of cell-wise elements: mesh, numbering, matrices by region and of the step, vectors.
+    const double bytes_per_unknown = input.segregated     ? 4500.
+                                     : input.is_nonlinear ? 9000.
                                      : input.has_pressure ? 12000.
                                                           : 7500.;
     memory = bytes_per_unknown * n_unknowns +
              input.n_factors *
                  (input.is_nonlinear ? bytes_per_unsymmetric_entry : bytes_per_entry) *
                  factor_entries;
-    double factor_time = 0.;
+    SolverCost cost;
     if (input.segregated)
-      solve_time = 1.5 * microsecond * n_unknowns;
-    else if (input.cell_wise)
-    {
-      factor_time = 240. * nanosecond * factor_entries;
-      solve_time = (factor_entries < 4e5 ? 0.7 : 1.6) * nanosecond * factor_entries;
-    }
+      cost.solve_time = 1.5 * microsecond * n_unknowns;
     else
     {
-      factor_time = 130. * nanosecond * factor_entries;
-      solve_time =
-          (is_plane ? 0.25 : 1.8) * microsecond * n_unknowns + 2. * nanosecond * factor_entries;
+      cost.factor_time = 240. * nanosecond * factor_entries;
+      cost.solve_time = (factor_entries < 4e5 ? 0.7 : 1.6) * nanosecond * factor_entries;
     }
-    const double assembly = input.cell_wise ? 56. : is_plane ? 12. : 48.;
-    set_up_time = assembly * microsecond * n_unknowns + input.n_factors * factor_time;
-    if (input.is_nonlinear)
-    {
-      const bool searches = input.finds_steady_state || input.is_harmonic;
-      const NewtonCounts &counts = searches                    ? counts_of_steady_search
-                                   : input.convects_explicitly ? counts_of_explicit_step
-                                                               : counts_of_step;
-      solve_time = counts.corrections * solve_time + counts.new_factors * factor_time;
-      // The integrals over the present mesh, its own factor, and more factors of the tangent.
-      if (input.mesh_moves)
-        solve_time += 1.5 * counts.corrections * microsecond * n_unknowns + 0.4 * factor_time;
-    }
+    set_up_time = 56. * microsecond * n_unknowns + input.n_factors * cost.factor_time;
+    solve_time = input.is_nonlinear ? time_of_newton(input, cost, n_unknowns) : cost.solve_time;
   }
   if (input.is_harmonic)
   {

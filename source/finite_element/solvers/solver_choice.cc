@@ -16,7 +16,9 @@ constexpr double nanosecond = 1e-9, microsecond = 1e-6; // [s]
 /// Bytes that an entry of a factor takes, with what the solver needs besides.
 constexpr double bytes_per_entry = 11.5;
 constexpr double bytes_per_single_entry = 6.;
-constexpr double bytes_per_unsymmetric_entry = 62.; // while it is made
+/// Of a tangent: what UMFPACK's analysis takes for an entry of the matrix, and UMFPACK's own factor
+/// beside the packed one for an entry of these.
+constexpr double bytes_per_tangent_entry = 70., bytes_per_unsymmetric_entry = 25.;
 /// Uses of a factor in single precision for a solve by FGMRES, which has two iterations: deal.II
 /// tests for convergence at the start of the next one.
 constexpr double uses_of_single_precision = 3.;
@@ -40,6 +42,7 @@ SolverCost cost_of_factor(const SystemSize &size)
                                                  : 2.3) *
                       nanosecond * size.factor_entries;
   }
+  cost.factor_time = factor_time;
   cost.set_up_time =
       (is_plane ? 12. : 48.) * microsecond * size.n_unknowns + size.n_factors * factor_time;
   return cost;
@@ -79,6 +82,18 @@ SolverCost cost_of_iterations(const SystemSize &size)
   cost.solve_time = (is_lean ? (is_one_body ? 2. : 6.) : (is_one_body ? 8. : 35.)) * microsecond *
                     size.n_unknowns;
   return cost;
+}
+
+/// Entries of a tangent for each unknown, both triangles: a node has (k + 2)^dim nodes of its own
+/// kind in its row on average, a node of the velocity ((k^2 + k - 1)/k)^dim of the pressure's.
+double tangent_entries_per_unknown(const SystemSize &size)
+{
+  const double k = size.degree, dim = size.dim;
+  const auto power = [dim](const double x) { return std::pow(x, dim); };
+  const double pressures = power((k - 1.) / k); // for a node of the velocity
+  return (dim * dim * power(k + 2.) + 2. * dim * power((k * k + k - 1.) / k) +
+          pressures * power(k + 1.)) /
+         (dim + pressures);
 }
 
 double time_of(const SolverCost &cost, const double n_solves)
@@ -226,10 +241,11 @@ SolverCost cost_of_tangents(const StepSolver solver, const SystemSize &size)
     }
     return cost;
   }
-  cost.memory = (is_plane ? 2900. : 7400.) * size.n_unknowns +
+  cost.memory = 1200. * size.n_unknowns +
+                bytes_per_tangent_entry * tangent_entries_per_unknown(size) * size.n_unknowns +
                 bytes_per_unsymmetric_entry * size.factor_entries;
-  cost.set_up_time = (is_plane ? 12. : 48.) * microsecond * size.n_unknowns +
-                     130. * nanosecond * size.factor_entries;
+  cost.factor_time = 130. * nanosecond * size.factor_entries;
+  cost.set_up_time = (is_plane ? 12. : 48.) * microsecond * size.n_unknowns + cost.factor_time;
   cost.solve_time = (is_plane ? 0.25 : 1.8) * microsecond * size.n_unknowns +
                     2. * nanosecond * size.factor_entries;
   return cost;

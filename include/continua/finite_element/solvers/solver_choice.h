@@ -19,6 +19,7 @@ enum class StepSolver
 struct SystemSize
 {
   unsigned int dim = 2;
+  unsigned int degree = 2; ///< of the velocity
   double n_unknowns = 0.;
   double factor_entries = 0.; ///< of one factor, estimated
   unsigned int n_factors = 1; ///< kept at one time
@@ -38,6 +39,7 @@ struct SolverCost
 {
   double memory = 0.;      ///< with matrices and vectors, without the program [bytes]
   double set_up_time = 0.; ///< with the assembly [s]
+  double factor_time = 0.; ///< of it, of one factor [s]; 0 of what has none
   double solve_time = 0.;  ///< [s]
 };
 SolverCost cost_of_solver(StepSolver solver, const SystemSize &size);
