@@ -2,22 +2,31 @@
 
 #include <continua/analysis/harmonic_checks.h>
 #include <continua/analysis/steady_search.h>
+#include <continua/signal/waveform.h>
 
 namespace Continua
 {
 template <int dim>
-void FrequencyAnalysis<dim>::start()
+void FrequencyAnalysis<dim>::start(const double time_of_loads)
 {
   run.initialise();
   if (run.input.problem.is_nonlinear())
   {
-    run.log.line("Before the frequencies: the state at rest under the loads of the file");
-    SteadySearch<dim> search(
-        run, [](const StepReport &, double, double) {}, "begin anew with --overwrite");
-    if (run.input.problem.finds_unloaded_shape())
-      search.find_unloaded_shape(true);
-    else
-      search.perform(SteadySearch<dim>::Loads::in_parts);
+    const bool is_mean = time_of_loads == mean_over_period;
+    run.log.line(std::string("Before the frequencies: the state at rest under the ") +
+                 (is_mean ? "mean of the loads" : "loads of the file"));
+    const auto search = [this]
+    {
+      return SteadySearch<dim>(
+          run, [](const StepReport &, double, double) {}, "begin anew with --overwrite");
+    };
+    using Loads = typename SteadySearch<dim>::Loads;
+    const bool finds_shape = run.input.problem.finds_unloaded_shape();
+    if (finds_shape)
+      search().find_unloaded_shape(true);
+    // The mesh has the shape under the loads at t = 0.
+    if (is_mean || !finds_shape)
+      search().perform(finds_shape ? Loads::present : Loads::in_parts, time_of_loads);
     run.solver->start_from_present_state();
   }
   system = harmonic_system_of(run);

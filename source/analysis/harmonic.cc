@@ -20,7 +20,6 @@ using namespace dealii;
 
 namespace
 {
-constexpr const char *remedy_of_harmonic = "use Analysis = transient";
 /// From here on a residual is worth a warning.
 constexpr double noted_residual = 1e-9;
 
@@ -31,11 +30,21 @@ bool is_given(const BoundaryCondition &condition)
          (condition.outlet && !condition.outlet->pressure_behind.is_zero());
 }
 
-bool is_in_time(const BoundaryCondition &condition)
+/// Of a motion about a state at rest under the loads of the file. Throws InputError.
+template <int dim>
+void check_motion_about_state(const Case<dim> &input, ParameterSection root)
 {
-  return condition.normal.depends_on_time() || condition.tangential.depends_on_time() ||
-         (condition.free_flow && condition.free_flow->rate.depends_on_time()) ||
-         (condition.outlet && condition.outlet->pressure_behind.depends_on_time());
+  ParameterSection harmonic = root.subsection("Harmonic");
+  if (input.harmonic.unit_load.empty())
+    harmonic.refuse("Unit load at",
+                    "in finite deformation the loads of the file are those of the state at rest, "
+                    "about which the motion is small, and none of them oscillates",
+                    "Give the name of the boundary whose pressure oscillates, or set Deformation = "
+                    "small");
+  if (!input.harmonic.field_frequencies.empty())
+    harmonic.refuse("Field frequencies",
+                    "about a state in finite deformation no fields of the motion are written",
+                    "Remove the entry, and give probes");
 }
 
 /// At 0 Hz the body is at rest. Throws InputError.
@@ -114,36 +123,29 @@ template <int dim>
 void Harmonic<dim>::check(const Case<dim> &input, ParameterSection root)
 {
   if (input.problem.is_nonlinear())
+  {
     check_loaded_state(input, root, remedy_of_harmonic);
+    check_motion_about_state(input, root);
+  }
   else
     check_no_states(input.problem, root, remedy_of_harmonic);
   check_harmonic_probes(input, root, remedy_of_harmonic);
   const HarmonicParameters &harmonic = input.harmonic;
   const InteriorData &interior = input.problem.interior;
-  const std::string in_time =
-      input.problem.is_nonlinear()
-          ? "the loads are those of the state at rest about which the motion is small, and this "
-            "one depends on t"
-          : "a load of a harmonic analysis is an amplitude, and this one depends on t";
-  const std::string instead =
-      (input.problem.is_nonlinear() ? "Give its value in that state, or "
-                                    : "Give its amplitude, and a Phase if it has one, or ") +
-      std::string(remedy_of_harmonic);
-  bool is_loaded = false;
+  if (input.problem.is_nonlinear())
+    check_no_loads_of_state_in_time(input, root, remedy_of_harmonic);
+  else
+    check_no_loads_in_time(input, root,
+                           "a load of a harmonic analysis is an amplitude, and this one depends on "
+                           "t",
+                           std::string("Give its amplitude, and a Phase if it has one, or ") +
+                               remedy_of_harmonic);
+  bool has_body_force = false;
   for (const std::vector<Waveform> *const force : {&interior.body_force, &interior.acceleration})
     for (const Waveform &component : *force)
-    {
-      is_loaded = is_loaded || !component.is_zero();
-      if (component.depends_on_time())
-        root.subsection("Body force").refuse("", in_time, instead);
-    }
-  const bool has_body_force = is_loaded;
-  for (const BoundaryCondition &condition : input.problem.conditions)
-  {
-    is_loaded = is_loaded || is_given(condition);
-    if (is_in_time(condition))
-      root.subsection("Boundaries").subsection(condition.name).refuse("", in_time, instead);
-  }
+      has_body_force = has_body_force || !component.is_zero();
+  const bool is_loaded = has_body_force || std::any_of(input.problem.conditions.begin(),
+                                                       input.problem.conditions.end(), is_given);
   if (!harmonic.unit_load.empty())
     check_unit_load(input, root);
   else if (!is_loaded)

@@ -2,6 +2,7 @@
 
 #include <continua/analysis/steady_search.h>
 #include <continua/continuum/field_list.h>
+#include <continua/postprocess/probe_fields.h>
 
 #include <algorithm>
 #include <string>
@@ -10,29 +11,11 @@ namespace Continua
 {
 namespace
 {
-/// What is shown about a state has the branches as they are in the state, not as the motion makes
-/// them. Throws InputError.
-template <int dim>
-void check_stresses_about_a_state(const Case<dim> &input, ParameterSection root)
+bool is_in_time(const BoundaryCondition &condition)
 {
-  const std::vector<Material> &materials = input.problem.materials;
-  if (std::none_of(materials.begin(), materials.end(),
-                   [](const Material &material)
-                   { return material.is_solid() && material.relaxes(); }))
-    return;
-  for (const ProbeColumnName &column :
-       input.probes.expected_columns(field_names<dim>(input.problem)))
-  {
-    ParameterSection probe = root.subsection("Probes").subsection(column.probe);
-    // At stations it is the traction of the liquid.
-    const bool is_drag = column.field == "wall shear stress" && !probe.given("Stations");
-    if (is_drag || column.field.find("stress ") == 0 || column.field == "hoop stress")
-      probe.refuse("Fields",
-                   "about a state in finite deformation '" + column.field +
-                       "' is not there beside a solid that relaxes: the part of its branches is "
-                       "not known",
-                   "Ask for displacement, strain, velocity or pressure, or remove the branches");
-  }
+  return condition.normal.depends_on_time() || condition.tangential.depends_on_time() ||
+         (condition.free_flow && condition.free_flow->rate.depends_on_time()) ||
+         (condition.outlet && condition.outlet->pressure_behind.depends_on_time());
 }
 
 /// Of the materials, outlets and steps to rest of such a body. Throws InputError.
@@ -65,8 +48,16 @@ void check_loads_of_state(const Case<dim> &input, ParameterSection root, const s
 }
 } // namespace
 
+bool is_linear_in_motion(const std::string &field)
+{
+  return field != "Q criterion" && field.find("magnitude") != 0 && !is_average(field);
+}
+
 template <int dim>
-void check_harmonic_probes(const Case<dim> &input, ParameterSection root, const std::string &remedy)
+void check_harmonic_probes(const Case<dim> &input,
+                           ParameterSection root,
+                           const std::string &remedy,
+                           const bool has_history)
 {
   for (const ProbeColumnName &column :
        input.probes.expected_columns(field_names<dim>(input.problem)))
@@ -77,7 +68,7 @@ void check_harmonic_probes(const Case<dim> &input, ParameterSection root, const 
                    "a position where a field changes its sign is not linear in the motion, so that "
                    "it has no amplitude",
                    "Remove the entry, or " + remedy);
-    if (column.field == "Q criterion" || column.field.find("magnitude") == 0)
+    if (!has_history && !is_linear_in_motion(column.field))
       probe.refuse("Fields",
                    "'" + column.field +
                        "' is not linear in the motion, so that it has no amplitude and no phase",
@@ -115,17 +106,6 @@ void check_loaded_state(const Case<dim> &input, ParameterSection root, const std
 {
   check_loads_of_state(input, root, remedy);
   SteadySearch<dim>::check(input, root, remedy);
-  ParameterSection harmonic = root.subsection("Harmonic");
-  if (input.harmonic.unit_load.empty())
-    harmonic.refuse("Unit load at",
-                    "in finite deformation the loads of the file are those of the state at rest, "
-                    "about which the motion is small, and none of them oscillates",
-                    "Give the name of the boundary whose pressure oscillates, or set Deformation = "
-                    "small");
-  if (!input.harmonic.field_frequencies.empty())
-    harmonic.refuse("Field frequencies",
-                    "about a state in finite deformation no fields of the motion are written",
-                    "Remove the entry, and give probes");
   const std::vector<Material> &materials = input.problem.materials;
   for (const BoundaryCondition &condition : input.problem.conditions)
     if (condition.has_unknown_pressure() &&
@@ -134,10 +114,35 @@ void check_loaded_state(const Case<dim> &input, ParameterSection root, const std
       root.subsection("Boundaries")
           .subsection(condition.name)
           .refuse("Type",
-                  "a harmonic analysis about a state in finite deformation has no unknown pressure "
-                  "on a solid",
+                  "a motion about a state in finite deformation has no unknown pressure on a solid",
                   "Use 'fixed', 'roller', 'free' or 'pressure' here, or " + remedy);
-  check_stresses_about_a_state(input, root);
+}
+
+template <int dim>
+void check_no_loads_in_time(const Case<dim> &input,
+                            ParameterSection root,
+                            const std::string &in_time,
+                            const std::string &remedy)
+{
+  const InteriorData &interior = input.problem.interior;
+  for (const std::vector<Waveform> *const force : {&interior.body_force, &interior.acceleration})
+    for (const Waveform &component : *force)
+      if (component.depends_on_time())
+        root.subsection("Body force").refuse("", in_time, remedy);
+  for (const BoundaryCondition &condition : input.problem.conditions)
+    if (is_in_time(condition))
+      root.subsection("Boundaries").subsection(condition.name).refuse("", in_time, remedy);
+}
+
+template <int dim>
+void check_no_loads_of_state_in_time(const Case<dim> &input,
+                                     ParameterSection root,
+                                     const std::string &remedy)
+{
+  check_no_loads_in_time(input, root,
+                         "the loads are those of the state at rest about which the motion is "
+                         "small, and this one depends on t",
+                         "Give its value in that state, or " + remedy);
 }
 
 template <int dim>
@@ -151,10 +156,18 @@ std::unique_ptr<HarmonicSystem<dim>> harmonic_system_of(Run<dim> &run)
   return system;
 }
 
-template void check_harmonic_probes(const Case<2> &, ParameterSection, const std::string &);
-template void check_harmonic_probes(const Case<3> &, ParameterSection, const std::string &);
+template void check_harmonic_probes(const Case<2> &, ParameterSection, const std::string &, bool);
+template void check_harmonic_probes(const Case<3> &, ParameterSection, const std::string &, bool);
 template void check_loaded_state(const Case<2> &, ParameterSection, const std::string &);
 template void check_loaded_state(const Case<3> &, ParameterSection, const std::string &);
+template void
+check_no_loads_in_time(const Case<2> &, ParameterSection, const std::string &, const std::string &);
+template void
+check_no_loads_in_time(const Case<3> &, ParameterSection, const std::string &, const std::string &);
+template void
+check_no_loads_of_state_in_time(const Case<2> &, ParameterSection, const std::string &);
+template void
+check_no_loads_of_state_in_time(const Case<3> &, ParameterSection, const std::string &);
 template std::unique_ptr<HarmonicSystem<2>> harmonic_system_of(Run<2> &);
 template std::unique_ptr<HarmonicSystem<3>> harmonic_system_of(Run<3> &);
 } // namespace Continua

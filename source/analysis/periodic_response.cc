@@ -1,18 +1,20 @@
 #include <continua/analysis/periodic_response.h>
 
 #include <continua/analysis/beat_columns.h>
-#include <continua/analysis/free_motions.h>
 #include <continua/analysis/harmonic_checks.h>
 #include <continua/analysis/harmonic_tables.h>
 #include <continua/analysis/mean_of_loads.h>
+#include <continua/analysis/periodic_checks.h>
 #include <continua/analysis/periodic_mean.h>
 #include <continua/base/input_error.h>
 #include <continua/base/interruption.h>
 #include <continua/base/parameter_text.h>
 #include <continua/base/table_writer.h>
+#include <continua/base/undefined.h>
 #include <continua/case/periodic_loads.h>
 #include <continua/continuum/field_list.h>
 #include <continua/linear_algebra/singular_matrix.h>
+#include <continua/postprocess/probe_fields.h>
 #include <continua/signal/fourier_transform.h>
 
 #include <deal.II/base/numbers.h>
@@ -33,34 +35,12 @@ using Complex = std::complex<double>;
 /// Times over a period at which loads are taken, for each harmonic that there may be.
 constexpr std::size_t samples_for_a_harmonic = 8;
 constexpr std::size_t least_samples = 1024;
-
 } // namespace
 
 template <int dim>
 void PeriodicResponse<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_harmonic_probes(input, root, "use Analysis = transient");
-  check_no_mean_pressure(input.problem, root, "use Analysis = transient");
-  if (!loads_have_mean(input.problem, input.periodic_state))
-    return;
-  refuse_free_motions(input, root,
-                      ", so that the mean of the loads moves it further in every period",
-                      "; or take the mean off the loads");
-  for (const BoundaryCondition &condition : input.problem.conditions)
-    if (condition.type == BoundaryType::absorbing)
-      root.subsection("Boundaries")
-          .subsection(condition.name)
-          .refuse("Type", "the mean of the loads is no wave that leaves an absorbing end",
-                  "Use 'resistance' or 'windkessel', loads without a mean, or Analysis = "
-                  "transient");
-  for (unsigned int region = 0; region < input.problem.materials.size(); ++region)
-    if (creeps_for_ever(input.problem.materials[region]))
-      root.subsection("Materials")
-          .subsection(input.problem.regions[region])
-          .refuse("Type",
-                  "the solid creeps for ever under the mean of the loads, so that there is no "
-                  "periodic state",
-                  "Use a law with a long-term modulus, such as prony, or loads without a mean");
+  check_periodic_response(input, root);
 }
 
 template <int dim>
@@ -101,7 +81,8 @@ void PeriodicResponse<dim>::take_loads()
                             std::polar(1., -numbers::PI * static_cast<double>(harmonic) / n);
     if (std::abs(spectrum[0]) <= no_mean_of_load * largest)
       spectrum[0] = 0.;
-    some_mean = some_mean || spectrum[0] != 0.;
+    // In finite deformation the state about which the motion is small has the mean.
+    some_mean = some_mean || (spectrum[0] != 0. && !run.input.problem.is_nonlinear());
     load_sizes.resize(spectrum.size(), 0.);
     for (std::size_t harmonic = 0; harmonic < spectrum.size(); ++harmonic)
       load_sizes[harmonic] += std::abs(spectrum[harmonic]) / largest;
@@ -132,10 +113,17 @@ HarmonicLoad PeriodicResponse<dim>::load_of(const unsigned int harmonic) const
 }
 
 template <int dim>
+bool PeriodicResponse<dim>::is_linear(const unsigned int column) const
+{
+  return is_linear_in_motion(run.input.probes.name_of(column).field);
+}
+
+template <int dim>
 bool PeriodicResponse<dim>::is_compared(const unsigned int column) const
 {
   const std::vector<std::string> &names = run.input.periodic_state.probes;
-  return std::any_of(names.begin(), names.end(),
+  return is_linear(column) &&
+         std::any_of(names.begin(), names.end(),
                      [&](const std::string &text)
                      { return run.input.probes.name_of(column).is_meant_by(text); });
 }
@@ -159,18 +147,46 @@ std::vector<Complex> PeriodicResponse<dim>::amplitudes(const unsigned int harmon
                    " Hz, is the frequency of a mode without damping.");
   }
   const HarmonicSolution solution = system->solve({load})[0];
-  if (keeps_fields())
-    solutions.push_back(solution);
-  powers.push_back(system->powers(solution, load));
-  double size = 0.;
-  for (const auto part : {&HarmonicLoad::forces, &HarmonicLoad::velocities, &HarmonicLoad::ports})
+  if (motion)
+    motion->add(solution);
+  powers->add(solution, load);
+  std::vector<Complex> values = probe_values(*system, run.input.probes, solution);
+  for (unsigned int column = 0; column < values.size(); ++column)
+    if (!is_linear(column))
+      values[column] = 0.;
+  return values;
+}
+
+template <int dim>
+std::vector<Complex> PeriodicResponse<dim>::values_of_state()
+{
+  system->show_sum({});
+  const std::vector<double> values = run.input.probes.present_values();
+  return {values.begin(), values.end()};
+}
+
+template <int dim>
+std::vector<std::vector<double>> PeriodicResponse<dim>::values_of_motion(const std::size_t n)
+{
+  Case<dim> &input = run.input;
+  std::vector<std::vector<double>> rows;
+  if (!needs_history())
+    return rows;
+  const double period = input.periodic_state.period;
+  for (std::size_t j = 0; j <= n; ++j)
   {
-    HarmonicLoad of_part;
-    of_part.*part = load.*part;
-    size += std::abs(system->power_of(of_part, solution, load));
+    motion->show(period * j / n);
+    if (j == 0)
+      run.solver->begin_averages();
+    else
+      run.solver->add_to_averages(period / n);
+    rows.push_back(input.probes.present_values());
   }
-  sizes_of_powers.push_back(size);
-  return probe_values(*system, run.input.probes, solution);
+  // The averages are those of the whole period.
+  for (unsigned int column = 0; column < input.probes.n_columns(); ++column)
+    for (std::size_t j = 0; j < n && is_average(input.probes.name_of(column).field); ++j)
+      rows[j][column] = rows[n][column];
+  return rows;
 }
 
 template <int dim>
@@ -178,13 +194,14 @@ void PeriodicResponse<dim>::write_history(const PeriodicSeries &series)
 {
   Case<dim> &input = run.input;
   const std::size_t n = intervals_of_beat(input);
+  const std::vector<std::vector<double>> of_motion = values_of_motion(n);
   input.probes.open(run.directory.file("probes.csv"));
   for (std::size_t j = 0; j <= n; ++j)
   {
     const double time = input.periodic_state.period * j / n;
     std::vector<double> values;
     for (unsigned int column = 0; column < input.probes.n_columns(); ++column)
-      values.push_back(series.value(column, time));
+      values.push_back(is_linear(column) ? series.value(column, time) : of_motion[j][column]);
     input.probes.record(time, values);
   }
   std::vector<std::string> header = {"time [s]", "beat [1]"};
@@ -222,7 +239,7 @@ void PeriodicResponse<dim>::write_harmonics(const PeriodicSeries &series)
   {
     std::vector<Complex> values;
     for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
-      values.push_back(series.amplitude(column, harmonic));
+      values.push_back(is_linear(column) ? series.amplitude(column, harmonic) : undefined);
     this->add_row(table, {static_cast<double>(harmonic), harmonic / series.period()}, values);
   }
   table->flush();
@@ -242,57 +259,22 @@ bool PeriodicResponse<dim>::keeps_fields() const
 }
 
 template <int dim>
-void PeriodicResponse<dim>::write_powers()
+bool PeriodicResponse<dim>::needs_history() const
 {
-  const Problem &problem = run.input.problem;
-  std::vector<std::string> header = {"harmonic [1]", "frequency [Hz]", "given [W]"};
-  for (const std::string &region : problem.regions)
-    for (const char *kind : {"viscosity", "relaxation", "supports"})
-      header.push_back(region + ": " + kind + " [W]");
-  for (const unsigned int condition : system->ports())
-    header.push_back("taken behind " + problem.conditions[condition].name + " [W]");
-  header.emplace_back("residual [W]");
-  std::vector<std::vector<double>> rows;
-  double scale = 0., residual = 0.;
-  for (std::size_t k = 0; k < powers.size(); ++k)
-  {
-    const HarmonicPowers &of_harmonic = powers[k];
-    std::vector<double> row = {k + 1., (k + 1.) / run.input.periodic_state.period,
-                               of_harmonic.given()};
-    for (const HarmonicPower &region : of_harmonic.regions)
-      row.insert(row.end(), {region.viscosity, region.relaxation, region.supports});
-    row.insert(row.end(), of_harmonic.ports.begin(), of_harmonic.ports.end());
-    row.push_back(of_harmonic.given() - of_harmonic.taken());
-    // Without damping nothing is taken.
-    scale += sizes_of_powers[k] + std::abs(of_harmonic.taken());
-    residual += std::abs(row.back());
-    rows.push_back(row);
-  }
-  run.summary.add(
-      {"largest imbalance of mean powers", scale > 0. ? residual / scale : 0., "1", ""});
-  if (!run.is_writer)
-    return;
-  TableWriter table(run.directory.file("mean-power.csv"), header);
-  for (const std::vector<double> &row : rows)
-    table.row(row);
-  table.flush();
+  bool needs = run.input.problem.wall_shear_window.is_kept;
+  for (unsigned int column = 0; column < run.input.probes.n_columns(); ++column)
+    needs = needs || !is_linear(column);
+  return needs;
 }
 
 template <int dim>
-void PeriodicResponse<dim>::write_period(const std::vector<WeightedSolution> &mean)
+void PeriodicResponse<dim>::write_period()
 {
   const double period = run.input.periodic_state.period, interval = run.input.output.field_interval;
   const auto n = static_cast<std::size_t>(std::max(1., std::round(period / interval)));
-  std::vector<WeightedSolution> parts = mean;
-  for (HarmonicSolution &solution : solutions)
-    parts.push_back({std::move(solution), 1.});
-  solutions.clear();
-  const std::size_t n_harmonics = parts.size() - mean.size();
   for (std::size_t j = 0; j < n; ++j)
   {
-    for (std::size_t k = 0; k < n_harmonics; ++k)
-      parts[mean.size() + k].factor = std::polar(1., 2. * numbers::PI * (k + 1.) * j / n);
-    system->show_sum(parts);
+    motion->show(period * j / n);
     this->write_state(period * j / n);
   }
   this->finish_fields();
@@ -301,12 +283,15 @@ void PeriodicResponse<dim>::write_period(const std::vector<WeightedSolution> &me
 template <int dim>
 void PeriodicResponse<dim>::perform()
 {
-  this->start();
+  this->start(mean_over_period);
   Case<dim> &input = run.input;
   {
     SectionTimer::Scope scope(run.log.timer(), "loads");
     take_loads();
   }
+  if (keeps_fields() || needs_history())
+    motion = std::make_unique<PeriodicMotion<dim>>(*system, input.periodic_state.period);
+  powers = std::make_unique<PeriodicPowers<dim>>(run, *system);
   PeriodicSeriesOptions options;
   options.tolerance = input.periodic_response.tolerance;
   options.most_harmonics = input.periodic_response.most_harmonics;
@@ -340,15 +325,19 @@ void PeriodicResponse<dim>::perform()
       }
       ranges.push_back(most - least);
     }
-    if (has_mean())
+    if (input.problem.is_nonlinear())
+      known[0] = values_of_state();
+    else if (has_mean())
       known[0] = mean.find(load_of(0), ranges, options.is_compared);
+    if (motion)
+      motion->set_mean(mean.solutions());
     series = std::make_unique<PeriodicSeries>(input.periodic_state.period, harmonic, options);
   }
   write_history(*series);
   write_harmonics(*series);
-  write_powers();
+  powers->write();
   if (keeps_fields())
-    write_period(mean.solutions());
+    write_period();
   double largest_change = 0.;
   for (std::size_t column = 0; column < options.is_compared.size(); ++column)
     if (options.is_compared[column])
@@ -363,7 +352,11 @@ void PeriodicResponse<dim>::perform()
                     shortest_number(options.tolerance) + ": give more Most harmonics");
   run.summary.add({"harmonics", static_cast<double>(series->n_harmonics()), "1", ""});
   run.summary.add({"largest change by further harmonics", largest_change, "1", ""});
-  run.summary.add({"largest difference of the means", mean.difference(), "1", ""});
+  if (input.problem.is_nonlinear())
+    run.summary.add_absence("largest difference of the means", "",
+                            "the mean is the state at rest about which the motion is small");
+  else
+    run.summary.add({"largest difference of the means", mean.difference(), "1", ""});
   this->finish(input.periodic_state.period);
 }
 

@@ -77,8 +77,19 @@ std::vector<unsigned int> unit_loads_of(const Problem &problem, const HarmonicSy
 template <int dim>
 void Resonances<dim>::check(const Case<dim> &input, ParameterSection root)
 {
-  check_harmonic_probes(input, root, "use Analysis = transient");
-  check_no_mean_pressure(input.problem, root, "use Analysis = transient");
+  check_harmonic_probes(input, root, remedy_of_harmonic);
+  if (input.problem.is_nonlinear())
+  {
+    check_loaded_state(input, root, remedy_of_harmonic);
+    check_no_loads_of_state_in_time(input, root, remedy_of_harmonic);
+    ParameterSection output = root.subsection("Output");
+    if (input.output.final_fields && output.given("Final fields"))
+      output.refuse("Final fields",
+                    "about a state in finite deformation no fields of the shapes are written",
+                    "Remove the entry, and give probes");
+  }
+  else
+    check_no_mean_pressure(input.problem, root, remedy_of_harmonic);
   for (const BoundaryCondition &condition : input.problem.conditions)
     if (condition.type == BoundaryType::absorbing &&
         input.resonances.largest_damping_ratio > largest_ratio_of_ends)
@@ -152,7 +163,7 @@ void Resonances<dim>::write(std::vector<Resonance> &found)
                    resonance.damping_ratio(), is_damped ? resonance.quality_factor() : undefined,
                    resonance.s.real(), resonance.s.imag(), resonance.residual},
                   probe_values(*system, input.probes, resonance.shape));
-    if (input.output.final_fields)
+    if (input.output.final_fields && !input.problem.is_nonlinear())
       this->write_fields(resonance.shape, k + 1.);
     std::ostringstream text;
     text.precision(5);

@@ -51,7 +51,9 @@ void set_further_fields(Case<dim> &input, const ParameterSection &output, const 
   Problem &problem = input.problem;
   problem.further_fields = input.output.further_fields;
   const bool has_averages = problem.further_fields.wall_shear_averages;
-  problem.wall_shear_window = input.output.wall_shear_window;
+  // A periodic response has one period and no other time.
+  if (!input.analysis.is_harmonic())
+    problem.wall_shear_window = input.output.wall_shear_window;
   problem.wall_shear_window.is_kept =
       has_averages || input.probes.asks_for_averages(field_names<dim>(problem));
   if (!problem.wall_shear_window.is_kept)
@@ -183,18 +185,7 @@ void Case<dim>::read_analysis(ParameterSection root)
   else if (analysis.is_harmonic())
   {
     if (analysis.name == "harmonic")
-    {
       harmonic.read(root.subsection("Harmonic"));
-      // Of the state about which the motion is small.
-      if (problem.is_nonlinear())
-        steady.read(root.subsection("Steady"), true);
-      else if (root.sets_in_subsection("Steady"))
-        root.subsection("Steady").refuse("",
-                                         "Analysis = harmonic reads this section in finite "
-                                         "deformation only, for the state about "
-                                         "which the motion is small",
-                                         "Remove it, or set Deformation = finite");
-    }
     else if (analysis.name == "resonances")
       resonances.read(root.subsection("Resonances"));
     else if (analysis.name == "periodic response")
@@ -209,6 +200,16 @@ void Case<dim>::read_analysis(ParameterSection root)
       pulse_response.read(root.subsection("Pulse response"));
       time.read(root.subsection("Time"));
     }
+    // Of the state about which the motion is small.
+    if (problem.is_nonlinear())
+      steady.read(root.subsection("Steady"), true);
+    else if (root.sets_in_subsection("Steady"))
+      root.subsection("Steady").refuse(
+          "",
+          "Analysis = " + analysis.name +
+              " reads this section in finite deformation only, for the state about which the "
+              "motion is small",
+          "Remove it, or set Deformation = finite");
   }
   else
     steady.read(root.subsection("Steady"), problem.is_nonlinear());
@@ -310,7 +311,8 @@ void Case<dim>::prepare_results(ParameterSection root)
   probes.check(*triangulation, field_names<dim>(problem), boundary_regions);
   probes.check_limits(problem.conditions,
                       {discretisation.is_cell_wise(), analysis.is_modal() || analysis.is_harmonic(),
-                       in_time, problem.deformation == Deformation::finite, are_regions_solid(),
+                       in_time || analysis.name == "periodic response",
+                       problem.deformation == Deformation::finite, are_regions_solid(),
                        problem.some_mesh_moves()},
                       field_names<dim>(problem));
   n_histories = probes.expected_columns(field_names<dim>(problem)).size();

@@ -48,7 +48,7 @@ std::unique_ptr<HarmonicSystem<dim>> DiscreteContinuum<dim>::harmonic_system()
   stepping.share_state();
   return discretisation->harmonic_system(
       {stepping.present_velocity(), stepping.present_displacement(), stepping.present_pressure(),
-       stepping.present_mixtures()});
+       stepping.present_mixtures(), stepping.time_of_loads()});
 }
 
 template <int dim>

@@ -107,7 +107,8 @@ template <int dim>
 bool FieldDefinition<dim>::is_average() const
 {
   return quantity == Quantity::average_wall_shear_stress ||
-         quantity == Quantity::oscillatory_shear_index;
+         quantity == Quantity::oscillatory_shear_index ||
+         quantity == Quantity::relative_residence_time;
 }
 
 template <int dim>
@@ -199,6 +200,7 @@ std::vector<FieldDefinition<dim>> wall_field_list()
   add("magnitude of wall shear stress", "Pa", Quantity::wall_shear_stress_magnitude);
   add("time-averaged wall shear stress", "Pa", Quantity::average_wall_shear_stress);
   add("oscillatory shear index", "1", Quantity::oscillatory_shear_index);
+  add("relative residence time", "1/Pa", Quantity::relative_residence_time);
   return list;
 }
 

@@ -96,6 +96,12 @@ void TimeStepping::start_from_present_state()
   operators.start_from(present());
 }
 
+void TimeStepping::add_to_averages(const double duration)
+{
+  if (wall_shear.is_on())
+    wall_shear.advance(euler_step(wall_shear.duration(), duration, Update::implicit), present());
+}
+
 void TimeStepping::begin_unloaded_shape()
 {
   // It goes on from the shape that is known, as on a mesh that was refined.

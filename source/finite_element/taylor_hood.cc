@@ -265,7 +265,8 @@ std::unique_ptr<HarmonicSystem<dim>> TaylorHood<dim>::harmonic_system(const Harm
   std::unique_ptr<LoadedBody<dim>> loaded;
   if (!terms.empty())
   {
-    LoadedState loaded_state{state.displacement, state.velocity, state.pressure, {}};
+    LoadedState loaded_state{
+        state.displacement, state.velocity, state.pressure, {}, state.time_of_loads};
     if (moving_mesh)
       loaded_state.mesh_displacement = moving_mesh->displacement();
     loaded = std::make_unique<LoadedBody<dim>>(space, problem, terms.of_models(), metrics.get(),

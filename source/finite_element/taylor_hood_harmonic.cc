@@ -109,14 +109,14 @@ void TaylorHoodHarmonic<dim>::show_sum(const std::vector<WeightedSolution> &part
     add(factor, solution.displacement, state.displacement);
     add(factor * solution.s, solution.displacement, state.velocity);
     add(factor, solution.pressure, state.pressure);
-    // The stress of a body under loads follows from its displacement, but for that of branches:
-    // their metrics stay those of the state, and check_loaded_state() refuses such stresses.
     if (loaded)
       continue;
     const HarmonicCoefficients at_s = equations.coefficients(solution.s);
     for (unsigned int region = 0; region < operators.size(); ++region)
       add(factor * at_s.stiffness[region], solution.displacement, state.mixtures[region]);
   }
+  if (loaded)
+    loaded->show_branches(parts);
   if (moving_mesh == nullptr)
     return;
   // The walls move. Where the mesh is inside the liquid makes no difference to what is linear.

@@ -61,18 +61,34 @@ double PeriodicSeries::left_out(const std::size_t quantity, const std::vector<do
 
 void PeriodicSeries::measure(const PeriodicSeriesOptions &options)
 {
-  const unsigned int end = amplitudes.size(), begin_of_last = end - std::max(1u, n_harmonics() / 3);
+  const std::size_t end = amplitudes.size(), begin_of_last = end - std::max(1u, n_harmonics() / 3),
+                    n_times = options.n_times;
+  // All harmonics at all times have these phases: of as many sines as that were most of the work.
+  std::vector<Complex> phases;
+  for (std::size_t j = 0; j < n_times; ++j)
+    phases.push_back(std::polar(1., 2. * M_PI * j / n_times));
+  const auto part_at = [&](const std::size_t q, const std::size_t j, const std::size_t first,
+                           const std::size_t behind)
+  {
+    double sum = 0.;
+    for (std::size_t n = first; n < behind; ++n)
+    {
+      const Complex &amplitude = amplitudes[n][q], &phase = phases[n * j % n_times];
+      sum += amplitude.real() * phase.real() - amplitude.imag() * phase.imag();
+    }
+    return sum;
+  };
   last_changes.assign(amplitudes.front().size(), 0.);
   for (std::size_t q = 0; q < last_changes.size(); ++q)
   {
-    double least = value(q, 0.), most = least, change = left_out(q, options.load);
-    for (std::size_t j = 0; j < options.n_times; ++j)
+    double least = part_at(q, 0, 0, end), most = least, change = left_out(q, options.load);
+    for (std::size_t j = 0; j < n_times; ++j)
     {
-      const double time = length * j / options.n_times;
-      const double now = value(q, time);
+      const double of_last = part_at(q, j, begin_of_last, end),
+                   now = part_at(q, j, 0, begin_of_last) + of_last;
       least = std::min(least, now);
       most = std::max(most, now);
-      change = std::max(change, std::abs(part(q, time, begin_of_last, end)));
+      change = std::max(change, std::abs(of_last));
     }
     last_changes[q] = change > 0. ? change / (most - least) : 0.;
   }

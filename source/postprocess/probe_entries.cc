@@ -44,8 +44,9 @@ void ProbeEntries<dim>::read_entries()
       "its components (the force of the body on what holds them, by the balance of forces "
       "at their nodes or faces [N], in the plane of a metre of depth [N/m]), 'wall shear stress x' "
       "and other components (tangential part of the traction of the body on the wall), "
-      "'magnitude of wall shear stress', 'time-averaged wall shear stress' and "
-      "'oscillatory shear index' (of the window in Output). Of Type = cavity: 'cavity pressure' "
+      "'magnitude of wall shear stress', 'time-averaged wall shear stress', 'oscillatory shear "
+      "index' and 'relative residence time' (of the window in Output). Of Type = cavity: 'cavity "
+      "pressure' "
       "[Pa] and 'cavity volume' (of the part that is modelled [m^3], in the plane [m^2])");
   section.add(
       "Reference boundary", reference_boundaries,

@@ -31,7 +31,8 @@ bool is_of_cavity(const std::string &field)
 
 bool is_average(const std::string &field)
 {
-  return field == "time-averaged wall shear stress" || field == "oscillatory shear index";
+  return field == "time-averaged wall shear stress" || field == "oscillatory shear index" ||
+         field == "relative residence time";
 }
 
 bool can_change_sign(const std::string &field)

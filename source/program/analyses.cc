@@ -73,7 +73,8 @@ AnalysisRow row_of_periodic_response()
       "periodic response",
       "The state that periodic loads lead to after many periods, by its harmonics and without "
       "steps in time.",
-      {"Periodic response", "Periodic state", "Time", "Network"}, Motion::harmonic, true, false);
+      {"Periodic response", "Periodic state", "Steady", "Time", "Wall directions", "Network"},
+      Motion::harmonic, true, false);
   row.traits_2d.name_quantities_of_others = &Transient<2>::name_quantities;
   row.traits_3d.name_quantities_of_others = &Transient<3>::name_quantities;
   return row;
@@ -128,7 +129,8 @@ const AnalysisTable &analyses()
        row_of_case<Resonances>("resonances",
                                "Frequencies, damping and shapes of the free motions of solids and "
                                "liquids together.",
-                               {"Resonances", "Network"}, Motion::harmonic, true, false),
+                               {"Resonances", "Steady", "Wall directions", "Network"},
+                               Motion::harmonic, true, false),
        row_of_periodic_response(), row_of_pulse_response(), row_of_theory(),
        row_of_study<Comparison, ComparisonParameters>(
            "comparison",

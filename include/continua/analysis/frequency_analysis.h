@@ -25,9 +25,9 @@ protected:
   explicit FrequencyAnalysis(Run<dim> &run) : run(run) {}
 
   /// Initialises the run and makes the system, in finite deformation about the state at rest under
-  /// the loads of the file. Throws RunError where the discretisation has none, or there is no such
-  /// state.
-  void start();
+  /// the loads of the file at a time [s], or under their mean with `mean_over_period`. Throws
+  /// RunError where the discretisation has none, or there is no such state.
+  void start(double time_of_loads = 0.);
   /// A table of `first` columns, and behind them real and imaginary part of each column of the
   /// probes. Null on all ranks but the one that writes.
   std::unique_ptr<TableWriter> complex_table(const std::string &name,

@@ -12,8 +12,9 @@
 namespace Continua
 {
 /**
- * Free motions exp(s t) of a linear body of solids and liquids with all their damping: frequency,
- * damping ratio, quality factor and shape (ResonanceSearch). resonances.csv has a row for each,
+ * Free motions exp(s t) of a linear body of solids and liquids with all their damping, in finite
+ * deformation small ones about the state at rest under the loads of the file: frequency, damping
+ * ratio, quality factor and shape (ResonanceSearch). resonances.csv has a row for each,
  * with the probes' values of its shape as real and imaginary part; fields.pvd lists the real parts
  * under the resonances' numbers, and the imaginary parts half a number behind.
  */
@@ -24,7 +25,7 @@ public:
   explicit Resonances(Run<dim> &run) : FrequencyAnalysis<dim>(run) {}
   void perform();
 
-  /// What is linear. Throws InputError.
+  /// What is linear, or a small motion about a state. Throws InputError.
   static void check(const Case<dim> &input, ParameterSection root);
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 

@@ -216,6 +216,10 @@ public:
   /// The linear body in motion exp(s t); null if the discretisation has none. The solver must
   /// outlive it.
   virtual std::unique_ptr<HarmonicSystem<dim>> harmonic_system() { return nullptr; }
+  /// The averages over time begin anew with the present state.
+  virtual void begin_averages() = 0;
+  /// A time [s] has led to the present state, which others than steps have set.
+  virtual void add_to_averages(double duration) = 0;
   /// Estimate for the last step, from the velocities that were kept with keep_state().
   virtual StepError step_error() = 0;
   /// Keeps the present state in memory for return_to_kept_state() and for step_error(): call before

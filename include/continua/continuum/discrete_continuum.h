@@ -38,6 +38,8 @@ public:
   bool steady_is_direct() const override { return stepping.steady_is_direct(); }
   std::unique_ptr<VibrationOperator<dim>> vibration() override;
   std::unique_ptr<HarmonicSystem<dim>> harmonic_system() override;
+  void begin_averages() override { stepping.begin_averages(); }
+  void add_to_averages(const double duration) override { stepping.add_to_averages(duration); }
   StepError step_error() override { return stepping.step_error(); }
   void keep_state() override { stepping.keep_state(); }
   void return_to_kept_state() override { stepping.return_to_kept_state(); }

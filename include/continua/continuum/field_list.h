@@ -32,7 +32,8 @@ struct FieldDefinition
     wall_shear_stress, ///< tangential part of the traction on a wall: a component of x, y, z
     wall_shear_stress_magnitude,
     average_wall_shear_stress, ///< the mean of the magnitude over time
-    oscillatory_shear_index
+    oscillatory_shear_index,
+    relative_residence_time ///< 1/((1 - 2 index) mean of the magnitude)
   };
   /// Of the components; e_r points away from the axis and e_theta round it.
   enum class Combination
@@ -85,7 +86,7 @@ template <int dim>
 std::vector<FieldDefinition<dim>> field_list(const Problem &problem);
 /// The fields that exist on boundaries and interfaces alone, in the order in which they are
 /// offered: wall shear stress x, ..., magnitude of wall shear stress, time-averaged wall shear
-/// stress, oscillatory shear index.
+/// stress, oscillatory shear index, relative residence time.
 template <int dim>
 std::vector<FieldDefinition<dim>> wall_field_list();
 template <int dim>

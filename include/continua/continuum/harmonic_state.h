@@ -14,6 +14,8 @@ struct HarmonicState
   /// The vectors w of the regions, whose deviatoric stress is 2 dev sym grad w; see set_mixture()
   /// [Pa m].
   std::vector<DistributedVector> &mixtures;
+  /// Of a state at rest, about which the motion is: the loads are those of this time [s].
+  double time_of_loads = 0.;
 };
 } // namespace Continua
 

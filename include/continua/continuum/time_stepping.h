@@ -56,6 +56,8 @@ public:
   void solve_steady(double time);
 
   /// See ContinuumSolver.
+  void begin_averages() { wall_shear.start(present()); }
+  void add_to_averages(double duration);
   StepError step_error();
   void keep_state();
   void return_to_kept_state();
@@ -82,6 +84,8 @@ public:
   /// The state at the present time, to be read.
   State state();
   double time() const { return present_time; }
+  /// The time of the loads that the last step has balanced [s]; of a state at rest its own.
+  double time_of_loads() const { return solution.step.balance_time; }
   /// The pressures of the outlets' ports at the present time, by boundary condition [Pa].
   std::vector<double> port_pressures()
   {

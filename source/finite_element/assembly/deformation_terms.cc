@@ -110,6 +110,22 @@ void DeformationTerms<dim>::start_from(const DistributedVector &of_displacement)
 }
 
 template <int dim>
+void DeformationTerms<dim>::set_branch(const unsigned int region,
+                                       const unsigned int number,
+                                       const DistributedVector &of_displacement)
+{
+  if (metrics == nullptr)
+    return;
+  visit_relaxing_points(of_displacement,
+                        [&](const unsigned int q, const Point &)
+                        {
+                          if (here.cell().region == region)
+                            metrics->set_branch(number, here.number(), q,
+                                                inverse_isochoric_metric(here.strain()));
+                        });
+}
+
+template <int dim>
 void DeformationTerms<dim>::finish_step(const StepSolution &solution, const State &state)
 {
   if (metrics == nullptr || solution.step.finds_unloaded_shape)

@@ -394,6 +394,11 @@ double FieldSamples<dim>::value(const FieldDefinition<dim> &field,
                           0.5 * (1. - vector_value(point, state.shear_integral).norm() / magnitude))
                : 0.;
   }
+  case Quantity::relative_residence_time:
+  {
+    const double norm = vector_value(point, state.shear_integral).norm();
+    return norm > 0. ? state.averaged_time / norm : 0.;
+  }
   default:
   {
     if (field.combination == FieldDefinition<dim>::Combination::drag &&

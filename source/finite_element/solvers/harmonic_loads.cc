@@ -64,6 +64,8 @@ HarmonicLoad HarmonicLoads<dim>::load_of(const HarmonicLoadSource &source, const
   HarmonicLoad load;
   DistributedVector vector = space.velocity_vector();
   load_list.add_of(source.condition, time, vector);
+  if (equations.loaded_body() != nullptr && source.condition >= 0)
+    vector.add(1., equations.loaded_body()->following_forces(source.condition, time));
   load.forces = real_numbers(vector);
   if (source.condition < 0)
     return load;

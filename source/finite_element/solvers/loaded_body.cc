@@ -21,7 +21,12 @@ LoadedBody<dim>::LoadedBody(const Space<dim> &space,
                             const NonlinearTerms<dim> &terms,
                             MetricHistory<dim> *const metrics,
                             const LoadedState &state)
-    : space(space), problem(problem), loaded(state), cells(space, problem, terms, metrics, state)
+    : space(space),
+      problem(problem),
+      terms(terms),
+      loaded(state),
+      cells(space, problem, terms, metrics, state),
+      boundary(space, problem, cells)
 {
   for (unsigned int part : {0, 1})
   {
@@ -132,6 +137,30 @@ void LoadedBody<dim>::apply(const HarmonicCoefficients &at_s,
   };
   forces = together(momentum);
   dilatations = together(volume);
+}
+
+template <int dim>
+void LoadedBody<dim>::show_branches(const std::vector<WeightedSolution> &parts)
+{
+  for (unsigned int region = 0; region < problem.materials.size(); ++region)
+  {
+    unsigned int number = 0;
+    for (const Branch &branch : problem.materials[region].shear.branches)
+    {
+      if (std::isinf(branch.relaxation_time))
+        continue;
+      DistributedVector lagging = loaded.displacement;
+      for (const auto &[solution, factor] : parts)
+      {
+        const Complex of_all = factor / (1. + solution.s * branch.relaxation_time);
+        for (std::size_t i = 0; i < solution.displacement.size(); ++i)
+          lagging.begin()[i] += (of_all * solution.displacement[i]).real();
+      }
+      for (const auto &of_model : terms)
+        of_model->set_branch(region, number, lagging);
+      ++number;
+    }
+  }
 }
 
 template <int dim>

@@ -74,26 +74,16 @@ double relaxing_modulus(const Material &material)
   return sum;
 }
 
+} // namespace
+
 template <int dim>
-FEFaceValues<dim> face_values(const Space<dim> &space)
+FEFaceValues<dim> face_values_under_load(const Space<dim> &space)
 {
   return FEFaceValues<dim>(space.mapping, space.scalar_element(),
                            space.face_quadrature(space.n_quadrature_points() + 1),
                            update_values | update_gradients | update_quadrature_points |
                                update_normal_vectors | update_JxW_values);
 }
-
-template <int dim>
-std::vector<DeformedFacePoint<dim>>
-points_of(const Space<dim> &space,
-          FEFaceValues<dim> &values,
-          const typename DoFHandler<dim>::active_cell_iterator &cell,
-          const unsigned int face)
-{
-  values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(cell), face);
-  return deformed_face_points(space, values);
-}
-} // namespace
 
 template <int dim>
 LoadedCells<dim>::LoadedCells(const Space<dim> &space,
@@ -135,6 +125,7 @@ void LoadedCells<dim>::take_parts(const NonlinearTerms<dim> &terms,
     const auto visit = [&](const Step &step, const auto &take_matrix)
     {
       solution.step = step;
+      solution.step.balance_time = loaded.time_of_loads;
       std::size_t number = first;
       of_model->visit_derivatives(solution,
                                   [&](const QuadratureCell<dim> &cell, const Matrix &matrix)
@@ -273,7 +264,7 @@ void LoadedCells<dim>::refuse_streams(const DistributedVector &of_state,
 template <int dim>
 void LoadedCells<dim>::add_pressures_of_liquids()
 {
-  FEFaceValues<dim> values = face_values(space);
+  FEFaceValues<dim> values = face_values_under_load(space);
   Vector<double> displacements(dim * values.dofs_per_cell);
   for (Cell &cell : cells)
   {
@@ -288,7 +279,8 @@ void LoadedCells<dim>::add_pressures_of_liquids()
       if (liquid_pressure == 0.)
         continue;
       set_entries(cell.at->velocity_places, displacement, displacements);
-      for (const DeformedFacePoint<dim> &point : points_of(space, values, at, face))
+      values.reinit(static_cast<typename Triangulation<dim>::active_cell_iterator>(at), face);
+      for (const DeformedFacePoint<dim> &point : deformed_face_points(space, values))
       {
         const Kinematics motion = point.kinematics(displacements);
         const Tensor<1, 3> area = motion.area(point.area);
@@ -354,39 +346,8 @@ void LoadedCells<dim>::add_entries(const LoadedPart part,
   }
 }
 
-template <int dim>
-DistributedVector LoadedCells<dim>::flow_of_velocities(const unsigned int number) const
-{
-  const BoundaryCondition &condition = problem.conditions[number];
-  CellSums sums;
-  sums.reinit(displacement, space.velocity_owned, space.velocity_hanging);
-  FEFaceValues<dim> values = face_values(space);
-  Vector<double> displacements(dim * values.dofs_per_cell), flows(displacements.size());
-  for (const Cell &cell : cells)
-  {
-    const auto &at = cell.at->velocity_cell;
-    for (const unsigned int face : at->face_indices())
-    {
-      if (!at->at_boundary(face) || at->face(face)->boundary_id() != condition.boundary_id ||
-          condition.region_ids.count(cell.at->region) == 0)
-        continue;
-      set_entries(cell.at->velocity_places, displacement, displacements);
-      flows = 0.;
-      for (const DeformedFacePoint<dim> &point : points_of(space, values, at, face))
-      {
-        const Tensor<1, 3> area = point.kinematics(displacements).area(point.area);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int a = 0; a < point.n_functions(); ++a)
-            flows[c * point.n_functions() + a] += area[c] * point.values[a];
-      }
-      sums.add(cell.at->velocity_places, flows);
-    }
-  }
-  DistributedVector flow = space.velocity_vector();
-  sums.add_to(flow);
-  return flow;
-}
-
+template FEFaceValues<2> face_values_under_load(const Space<2> &);
+template FEFaceValues<3> face_values_under_load(const Space<3> &);
 template class LoadedCells<2>;
 template class LoadedCells<3>;
 } // namespace Continua

@@ -53,6 +53,9 @@ public:
   /// By the law, and of the pressure K (J ln J - J + 1) with J = exp(-p/K), per reference volume.
   NonlinearEnergy energy_of(unsigned int region, const State &state) override;
   void start_from(const DistributedVector &displacement) override;
+  void set_branch(unsigned int region,
+                  unsigned int number,
+                  const DistributedVector &displacement) override;
   void visit_state(StateVisitor &visitor) override { stress_free_states.visit_state(visitor); }
   void take_own_state() override { stress_free_states.take_state(); }
   const DistributedVector *unloaded_displacement() const override

@@ -47,6 +47,11 @@ public:
   bool relaxes(const unsigned int region) const { return !branches[region].empty(); }
   /// Makes a point that has this Cb^-1 relaxed: without stress of its branches.
   void start(unsigned int cell, unsigned int q, const Tensor &inverse);
+  /// Makes one branch of a point relaxed at this Cb^-1.
+  void set_branch(unsigned int branch, unsigned int cell, unsigned int q, const Tensor &inverse)
+  {
+    set(metrics[branch], cell, q, inverse);
+  }
   /// Sets what the step knows beforehand. On the way to a steady state all branches have relaxed.
   void predict(const Step &step);
   /// M = sum_k mu_k A_plus_k of the step that was predicted last [Pa], see MetricStress.

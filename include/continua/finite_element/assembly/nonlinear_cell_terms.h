@@ -79,6 +79,13 @@ public:
   virtual NonlinearEnergy energy_of(unsigned int region, const State &state) = 0;
   /// The state of t = 0 was set. Collective.
   virtual void start_from(const DistributedVector & /*displacement*/) {}
+  /// Makes a branch of a region that of a body which has relaxed at this displacement [m]; `number`
+  /// counts those that relax. Collective.
+  virtual void set_branch(unsigned int /*region*/,
+                          unsigned int /*number*/,
+                          const DistributedVector & /*displacement*/)
+  {
+  }
   /// Hands over the terms' own part of the state.
   virtual void visit_state(StateVisitor &) {}
   /// That part was read from a checkpoint or carried over to another mesh. Collective.

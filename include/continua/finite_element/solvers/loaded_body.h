@@ -1,10 +1,12 @@
 #ifndef continua_finite_element_solvers_loaded_body_h
 #define continua_finite_element_solvers_loaded_body_h
 
+#include <continua/continuum/harmonic_system.h>
 #include <continua/continuum/problem.h>
 #include <continua/finite_element/assembly/metric_history.h>
 #include <continua/finite_element/assembly/nonlinear_cell_terms.h>
 #include <continua/finite_element/solvers/harmonic_coefficients.h>
+#include <continua/finite_element/solvers/loaded_boundary.h>
 #include <continua/finite_element/solvers/loaded_cells.h>
 #include <continua/finite_element/space/cell_sums.h>
 #include <continua/finite_element/space/space.h>
@@ -73,8 +75,17 @@ public:
   /// int v . n over the present faces of a boundary condition [m^2].
   DistributedVector flow_of_velocities(unsigned int condition) const
   {
-    return cells.flow_of_velocities(condition);
+    return boundary.flow_of_velocities(condition);
   }
+  /// Forces of its tractions at `time` [s] that follow the present faces [N].
+  DistributedVector following_forces(unsigned int condition, double time) const
+  {
+    return boundary.following_forces(condition, time);
+  }
+  /// Makes the branches those of the real part of a sum of motions about the state. The metric of a
+  /// branch follows the strain by 1/(1 + s tau): it is that of a displacement which does, up to the
+  /// square of the motion.
+  void show_branches(const std::vector<WeightedSolution> &parts);
   /// A displacement [m] over which the state is nearly linear: a part of the smallest cell.
   double small_displacement() const;
 
@@ -83,8 +94,10 @@ private:
 
   const Space<dim> &space;
   const Problem &problem;
+  const NonlinearTerms<dim> &terms;
   const LoadedState loaded;
   const LoadedCells<dim> cells;
+  const LoadedBoundary<dim> boundary;
   /// With ghost entries: of the real and of the imaginary part.
   std::array<DistributedVector, 2> velocities, pressures;
   std::array<CellSums, 2> momentum_sums, volume_sums;

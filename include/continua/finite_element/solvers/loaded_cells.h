@@ -9,6 +9,7 @@
 #include <continua/linear_algebra/distributed_vector.h>
 #include <continua/linear_algebra/unsymmetric_factor.h>
 
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 
@@ -21,6 +22,7 @@ struct LoadedState
 {
   DistributedVector displacement, velocity, pressure; ///< [m], [m/s], [Pa]
   DistributedVector mesh_displacement;                ///< of a mesh that moves, else empty [m]
+  double time_of_loads = 0.;                          ///< [s]
 };
 
 /// What a motion exp(s t) about such a state multiplies by 1, by s^2, by s and by the modulus of
@@ -43,6 +45,10 @@ struct LoadedCell
   const QuadratureCell<dim> *at = nullptr;
   dealii::FullMatrix<double> stiffness, mass, viscosity, relaxation;
 };
+
+/// Values at the points of a face at which its loads are integrated.
+template <int dim>
+dealii::FEFaceValues<dim> face_values_under_load(const Space<dim> &space);
 
 /// The derivative of the equations of a body at rest under loads by displacement and pressure, cell
 /// by cell and in its parts: those of a motion are made of steps in which all but one part is
@@ -68,8 +74,8 @@ public:
                    unsigned int region,
                    const dealii::AffineConstraints<double> &constraints,
                    Triplets &entries) const;
-  /// int v . n over the present faces of a boundary condition [m^2]. Collective.
-  DistributedVector flow_of_velocities(unsigned int condition) const;
+  /// Of the mesh, which in solids is that of the matter, with ghost entries [m].
+  const DistributedVector &shape() const { return displacement; }
 
 private:
   using Matrix = dealii::FullMatrix<double>;
@@ -80,8 +86,7 @@ private:
   std::vector<Cell> cells;
   double smallest_cell = 0.;
   std::vector<double> liquid_pressures; ///< by region, of solids 0 [Pa]
-  /// With ghost entries [m]: of the mesh, which in solids is that of the matter.
-  DistributedVector displacement;
+  DistributedVector displacement;       ///< see shape()
 
   void take_parts(const NonlinearTerms<dim> &terms,
                   MetricHistory<dim> *metrics,
