@@ -20,12 +20,13 @@ namespace Continua
  *
  *   M^-1 + (C + B D B^T)^-1,
  *
- * M a pressure mass matrix weighted with 1/(K b) + 1/alpha, D the inverse of the lumped inertia;
- * each of the two stands for one limit of A, stiffness and inertia. Without M and with D the
- * inverse diagonal of A it is that of SIMPLE (Patankar and Spalding, 1972), without D the mass form
- * alone. Masses are inverted by a sweep of symmetric relaxation, C + B D B^T by a V-cycle of
- * algebraic multigrid, whose aggregates join pressures that are close to one another: on cells that
- * are longer than thick the entries of B D B^T along a cell are large and positive, and mislead.
+ * M a pressure mass matrix weighted with 1/(K b) + 1/alpha, D the inverse of the lumped inertia,
+ * or of inertia and friction at walls (add_friction()); each of the two stands for one limit of A,
+ * stiffness and inertia. Without M and with D the inverse diagonal of A it is that of SIMPLE
+ * (Patankar and Spalding, 1972), without D the mass form alone. Masses are inverted by a sweep of
+ * symmetric relaxation, C + B D B^T by a V-cycle of algebraic multigrid, whose aggregates join
+ * pressures that are close to one another: on cells that are longer than thick the entries of B D
+ * B^T along a cell are large and positive, and mislead.
  */
 class SchurComplement
 {

@@ -2,6 +2,7 @@
 
 #include <continua/base/memory_limit.h>
 #include <continua/finite_element/solvers/condensed_system.h>
+#include <continua/finite_element/solvers/iterative/fluid_mobility.h>
 #include <continua/finite_element/solvers/iterative/pressure_places.h>
 #include <continua/finite_element/space/velocity_nodes.h>
 #include <continua/linear_algebra/matrix_product.h>
@@ -67,6 +68,11 @@ PreconditionerMaker<dim>::try_to_make(const SystemCoefficients &coefficients)
 
     if (made->has_stiff && made->has_fluid && made->has_inertia && !is_simple())
       stiff_regions.add_wall_compliance(constraints, *made->velocity, plan.mobility);
+    if (made->has_fluid && made->fluid_is_viscous && !is_simple())
+    {
+      add_friction(space, operators, constraints, blocks.velocity(), *made, plan.mobility);
+      plan.has_mobility = true;
+    }
     make_schur_complement(plan, mass_factors, *made);
     made->name = name_of(plan, *made);
     mark_memory("preconditioner of the pressure");
@@ -86,6 +92,7 @@ PreconditionerPlan PreconditionerMaker<dim>::choose_blocks(const StiffRegions<di
 
   PreconditionerPlan plan;
   plan.mobility = space.velocity_vector();
+  plan.has_mobility = has_inertia;
   double fluid_ratio = 0.;
   plan.parts = stiff_regions.velocity_blocks(blocks.velocity(), plan.mobility, fluid_ratio);
   VelocityBlocks &parts = plan.parts;
@@ -198,7 +205,7 @@ void PreconditionerMaker<dim>::make_schur_complement(PreconditionerPlan &plan,
         pressures.push_back(i);
     made.schur_complement = std::make_unique<SchurComplement>(
         std::move(divergence_matrix), blocks.compression(), &mass_form,
-        made.has_inertia ? &mobility : nullptr, places, pressures);
+        plan.has_mobility ? &mobility : nullptr, places, pressures);
   }
 }
 

@@ -16,6 +16,8 @@ struct PreconditionerPlan
   /// Local indices of the pressures that are factored together with the stiff velocities.
   std::vector<unsigned int> stiff_pressures;
   DistributedVector mobility; ///< D of the Schur complement [s/kg]
+  /// Whether D is known, by inertia or by friction; else the mass form serves alone.
+  bool has_mobility = false;
   /// Whether the stiff velocities and pressures have one factor.
   bool has_joint_block = false;
   /// Whether the velocities outside the stiff block are relaxed by products without a matrix.
