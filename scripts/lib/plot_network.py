@@ -1,32 +1,44 @@
-"""The drawing of a network (network-vessels.csv): vessels from node to node, as long and as wide as they are."""
+"""The drawing of a network (network-vessels.csv, network-elements.csv): vessels from node to node, as long and as wide as they are, and
+elements without a length as signs; and the pressure over the volume of each chamber of a heart (probes.csv)."""
 
 import os
 
+import numpy
 import plot_style
 import tables
 
 COLUMNS = ("from node", "to node", "length", "radius at start", "radius at end")
 WIDEST = 7.0  # points, of the widest vessel
+SIGNS = {"resistance": "s", "valve": ">", "compliance": "D", "chamber": "o"}
+SHARE_OF_ELEMENT = 0.08  # of the drawing's width, between the nodes of an element
 
 
 def read(run):
-    """(names of the vessels, names of the nodes, one row a vessel), or None."""
+    """(names of the vessels, names of the nodes, one row a vessel, (name, type, from node, to node) of each element), or None."""
     table = tables.read_table(os.path.join(run["folder"], "network-vessels.csv"))
-    if table is None:
+    vessels = []
+    if table is not None:
+        names = [name for name, _ in table[0]]
+        rows = [[float(row[names.index(column)]) for column in COLUMNS] for row in table[1]]
+        vessels = [(int(row[0]) - 1, int(row[1]) - 1, *row[2:]) for row in rows]
+    summary, elements = run["summary"], []
+    of_elements = tables.read_table(os.path.join(run["folder"], "network-elements.csv"))
+    if of_elements is not None and "elements" in summary:
+        elements = [(name, kind, int(row[0]) - 1, int(row[1]) - 1)
+                    for name, kind, row in zip(summary["elements"], summary["types of elements"], of_elements[1])]
+    if not vessels and not elements:
         return None
-    names = [name for name, _ in table[0]]
-    rows = [[float(row[names.index(column)]) for column in COLUMNS] for row in table[1]]
-    vessels = [(int(row[0]) - 1, int(row[1]) - 1, *row[2:]) for row in rows]
-    return run["summary"].get("vessels", []), run["summary"].get("nodes", []), vessels
+    return summary.get("vessels", []), summary.get("nodes", []), vessels, elements
 
 
-def places(vessels):
+def places(vessels, elements):
     """(distance from the first node along the vessels, row) of each node. Branches share the rows of the loose ends behind them."""
     ways = {}
-    for start, end, length, *_ in vessels:
+    of_element = SHARE_OF_ELEMENT * sum(vessel[2] for vessel in vessels) / max(1, len(vessels)) * 5 if vessels else 1.0
+    for start, end, length in [vessel[:3] for vessel in vessels] + [(start, end, of_element) for _, _, start, end in elements]:
         ways.setdefault(start, []).append((end, length))
         ways.setdefault(end, []).append((start, length))
-    first = vessels[0][0]
+    first = vessels[0][0] if vessels else elements[0][2]
     distance, rows, n_rows = {first: 0.0}, {}, 0
     # A depth-first walk without recursion: a node has its row once all behind it have theirs.
     stack = [(first, iter(ways[first]), [])]
@@ -49,18 +61,60 @@ def places(vessels):
 
 
 def draw(sheet, runs):
-    """Of the first run that has a network."""
+    """Of the first run that has a network; the loops of all."""
     for run in runs:
         network = read(run)
         if network is not None:
             draw_network(sheet, *network)
-            return
+            break
+    draw_loops(sheet, runs)
 
 
-def draw_network(sheet, names, nodes, vessels):
-    where, n_rows = places(vessels)
+def chambers(columns):
+    """(name, column of the pressure, column of the volume) of what has a work."""
+    names = [name for name, _ in columns]
+    for name in names:
+        chamber, _, field = name.rpartition(": ")
+        if field == "work" and f"{chamber}: volume" in names and f"{chamber}: pressure" in names:
+            yield chamber, names.index(f"{chamber}: pressure"), names.index(f"{chamber}: volume")
+
+
+def draw_loops(sheet, runs):
+    """The pressure of each chamber over its volume: all beats thin, the last one thick."""
+    loops = {}
+    for run in runs:
+        table = tables.read_table(os.path.join(run["folder"], "probes.csv"))
+        if table is None:
+            continue
+        columns, data = table
+        n_beats = int(next((quantity["value"] for quantity in run["summary"].get("quantities", []) if quantity.get("name") == "beats"), 1))
+        first = (len(data) - 1) // n_beats * (n_beats - 1)
+        for chamber, pressure, volume in chambers(columns):
+            loops.setdefault(chamber, []).append((run["title"], data[:, volume], data[:, pressure], first))
+    for chamber, entries in loops.items():
+        of_volume, volume_unit = plot_style.readable(max(numpy.abs(volume).max() for _, volume, *_ in entries), "m^3", "volume")
+        of_pressure, pressure_unit = plot_style.readable(max(numpy.abs(pressure).max() for _, _, pressure, _ in entries), "Pa", "pressure")
+        figure, axes = sheet.figure(0.75)
+        header, kept = [], []
+        for i, (title, volume, pressure, first) in enumerate(entries):
+            colour = plot_style.COLOURS[i % len(plot_style.COLOURS)]
+            axes.plot(volume * of_volume, pressure * of_pressure, color=colour, linewidth=0.5, alpha=0.5)
+            axes.plot(volume[first:] * of_volume, pressure[first:] * of_pressure, color=colour, linewidth=1.6, label=title)
+            header += [f"{title}: volume [{volume_unit}]", f"{title}: pressure [{pressure_unit}]"]
+            kept += [volume[first:] * of_volume, pressure[first:] * of_pressure]
+        axes.set_xlabel(plot_style.axis_label("volume", volume_unit))
+        axes.set_ylabel(plot_style.axis_label("pressure", pressure_unit))
+        axes.set_title(f"{chamber}: the thick line is the last beat", fontsize=8, loc="left")
+        sheet.legend(axes, len(entries) if len(entries) > 1 else 0)
+        name = "loop-" + plot_style.file_name(chamber)
+        sheet.save(figure, name)
+        sheet.save_data(name, header, kept)
+
+
+def draw_network(sheet, names, nodes, vessels, elements):
+    where, n_rows = places(vessels, elements)
     figure, axes = sheet.figure(min(0.2 + 0.025 * n_rows, 0.85))
-    widest = max(max(vessel[3:5]) for vessel in vessels)
+    widest = max((max(vessel[3:5]) for vessel in vessels), default=1.0)
     for number, (start, end, _, radius, radius_at_end) in enumerate(vessels):
         (x, y), (x_end, y_end) = where[start], where[end]
         n_pieces = 8
@@ -72,17 +126,29 @@ def draw_network(sheet, names, nodes, vessels):
         if number < len(names) and len(vessels) <= 12:
             axes.annotate(names[number], ((x + x_end) / 2, (y + y_end) / 2), xytext=(0, 5), textcoords="offset points", ha="center", fontsize=7)
     axes.plot([x for x, _ in where.values()], [y for _, y in where.values()], "o", color=plot_style.COLOURS[1], markersize=2.5)
+    for name, kind, start, end in elements:
+        (x, y), (x_end, y_end) = where[start], where[end]
+        if start != end:
+            axes.plot([x, x_end], [y, y_end], color=plot_style.COLOURS[2], linewidth=0.8)
+        axes.plot((x + x_end) / 2, (y + y_end) / 2, SIGNS[kind], color=plot_style.COLOURS[2], markersize=6 if start != end else 9,
+                  markerfacecolor="white")
+        if len(vessels) + len(elements) <= 12:
+            axes.annotate(name, ((x + x_end) / 2, (y + y_end) / 2), xytext=(0, 8), textcoords="offset points", ha="center", fontsize=7)
     if len(vessels) <= 12:
         for node, (x, y) in where.items():
             if node < len(nodes):
                 axes.annotate(nodes[node], (x, y), xytext=(0, -9), textcoords="offset points", ha="center", fontsize=6.5)
-    axes.set_title("Width of a line: radius of the vessel, not to scale; dots: junctions and ends", fontsize=8, loc="left")
+    signs = "; signs of elements: square resistance, triangle valve, diamond compliance, circle chamber" if elements else ""
+    axes.set_title(f"Width of a line: radius of the vessel, not to scale; dots: junctions and ends{signs}", fontsize=8 if not signs else 7, loc="left")
     axes.spines["left"].set_visible(False)
-    axes.set_xlabel("Distance along the vessels [m]")
+    axes.set_xlabel("Distance along the vessels [m]" if vessels else "Elements without a length")
+    if not vessels:
+        axes.set_xticks([])
     axes.set_yticks([])
     axes.margins(x=0.06, y=0.4 if n_rows < 5 else 0.03)
     axes.invert_yaxis()
     sheet.save(figure, "network")
-    sheet.save_data("network", ["vessel [1]", "from node [1]", "to node [1]", "length [m]", "radius at start [m]", "radius at end [m]"],
-                    [[float(number + 1) for number in range(len(vessels))], *([float(vessel[i] + (1 if i < 2 else 0)) for vessel in vessels]
-                                                                             for i in range(5))])
+    if vessels:
+        sheet.save_data("network", ["vessel [1]", "from node [1]", "to node [1]", "length [m]", "radius at start [m]", "radius at end [m]"],
+                        [[float(number + 1) for number in range(len(vessels))], *([float(vessel[i] + (1 if i < 2 else 0)) for vessel in vessels]
+                                                                                 for i in range(5))])

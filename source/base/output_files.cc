@@ -47,6 +47,7 @@ const std::vector<std::string> &output_files()
                                                  "mean-power.csv",
                                                  "modes.csv",
                                                  "modulus.csv",
+                                                 "network-elements.csv",
                                                  "network-vessels.csv",
                                                  "network.csv",
                                                  "other-files.txt",

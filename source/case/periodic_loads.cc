@@ -97,29 +97,42 @@ std::vector<PeriodicLoad> loads_of(Case<dim> &input)
   return loads;
 }
 
-/// The terminals of a network at the body that depend on time.
-template <int dim>
-std::vector<TerminalEntries> terminals_in_time(const Case<dim> &input)
+/// What depends on time in a network at the body.
+struct NetworkLoad
 {
-  std::vector<TerminalEntries> terminals;
-  if (input.network)
-    for (const TerminalEntries &terminal : input.network->terminals)
-      if (terminal.law.value)
-        terminals.push_back(terminal);
-  return terminals;
+  std::string name; ///< "the terminal 'heart' of the network"
+  std::function<double(double)> value;
+  double period; ///< of a table that is repeated [s]; 0: none
+};
+
+template <int dim>
+std::vector<NetworkLoad> network_loads(const Case<dim> &input)
+{
+  std::vector<NetworkLoad> loads;
+  if (!input.network)
+    return loads;
+  for (const TerminalEntries &terminal : input.network->terminals)
+    if (terminal.law.value)
+      loads.push_back({"the terminal '" + terminal.node + "' of the network", terminal.law.value,
+                       terminal.period});
+  for (const ElementEntries &element : input.network->elements)
+    if (element.law.elastance)
+      loads.push_back({"the element '" + element.law.name + "' of the network",
+                       element.law.elastance, element.period});
+  return loads;
 }
 
 /// The period of the tables that are repeated. Throws InputError unless they have one.
 double period_of_tables(const std::vector<PeriodicLoad> &loads,
-                        const std::vector<TerminalEntries> &terminals,
+                        const std::vector<NetworkLoad> &of_network,
                         const ParameterSection &section)
 {
   std::vector<double> of_tables;
-  of_tables.reserve(loads.size() + terminals.size());
+  of_tables.reserve(loads.size() + of_network.size());
   for (const PeriodicLoad &load : loads)
     of_tables.push_back(load.waveform->table_period());
-  for (const TerminalEntries &terminal : terminals)
-    of_tables.push_back(terminal.period);
+  for (const NetworkLoad &load : of_network)
+    of_tables.push_back(load.period);
   double period = 0.;
   for (const double of_table : of_tables)
   {
@@ -276,9 +289,9 @@ void set_periodic_loads(Case<dim> &input, ParameterSection root)
     }
   PeriodicStateParameters &periodic_state = input.periodic_state;
   const bool period_is_given = section.given("Period");
-  const std::vector<TerminalEntries> terminals = terminals_in_time(input);
+  const std::vector<NetworkLoad> of_network = network_loads(input);
   if (!period_is_given)
-    periodic_state.period = period_of_tables(loads, terminals, section);
+    periodic_state.period = period_of_tables(loads, of_network, section);
   check_times(input, root, period_is_given);
   bool any_varies = false;
   std::string latest;
@@ -295,8 +308,8 @@ void set_periodic_loads(Case<dim> &input, ParameterSection root)
   for (const PeriodicLoad &load : loads)
     for (const std::array<double, 3> &place : load.places)
       take(load.name, [&](const double time) { return (*load.waveform)(place.data(), time); });
-  for (const TerminalEntries &terminal : terminals)
-    take("the terminal '" + terminal.node + "' of the network", terminal.law.value);
+  for (const NetworkLoad &load : of_network)
+    take(load.name, load.value);
   if (!any_varies)
     section.refuse("", "no load varies in time, so that there are no beats",
                    "Give the inlet a formula of t, or a table with After the table = repeat, or "

@@ -69,6 +69,7 @@ NetworkModel::NetworkModel(const Outlet &outlet)
   }
   StateNumbers numbers(StateNumbers::Direction::take, present.network);
   vessels.visit(numbers);
+  present.energy = vessels.energy();
   present.z.assign(n * n, 0.);
   present.flow_rates.assign(n, 0.);
   trial_pressures.assign(n, 0.);
@@ -160,6 +161,7 @@ bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_o
       predicted[i] = step.load_factor * present.pressures[i];
     return true;
   }
+  vessels.set_clock_ahead(step.balance_time - 0.5 * (step.time_old + step.time));
   restore();
   const double longest = courant_share * outlet.network->courant_number * vessels.largest_step();
   n_steps = static_cast<unsigned int>(
@@ -278,6 +280,7 @@ void NetworkModel::advance(const Step &of_step, const double *const flow_rates)
       present.z[i * n + j] = z(i, j);
   }
   present.size = step.size();
+  present.energy = vessels.energy();
   is_linearised = false;
 }
 
@@ -286,6 +289,14 @@ void NetworkModel::set_steady(const double *)
   throw RunError("the network at '" + outlet.name +
                  "' has no steady flow of its own: set Analysis = transient, or give the boundary "
                  "Type = windkessel");
+}
+
+double NetworkModel::stored_power() const
+{
+  // In the part of the sections that the mesh has.
+  return present.size > 0.
+             ? outlet.fractions.front() * (present.energy - older.energy) / present.size
+             : 0.;
 }
 
 std::vector<double> NetworkModel::present_pressures(double, const double *) const
@@ -312,6 +323,7 @@ void NetworkModel::visit_state(StateVisitor &visitor,
   visitor.levels({"flow rates of network", number}, now.flow_rates.data(), before.flow_rates.data(),
                  now.flow_rates.size());
   visitor.levels({"step of network", number}, &now.size, &before.size, 1);
+  visitor.levels({"energy of network", number}, &now.energy, &before.energy, 1);
 }
 
 void NetworkModel::visit(StateVisitor &visitor, const unsigned int number)

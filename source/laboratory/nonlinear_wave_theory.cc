@@ -5,6 +5,7 @@
 #include <continua/base/six_digits.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
+#include <continua/network/period_search.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/beat_values.h>
 #include <continua/signal/first_pulse.h>
@@ -21,10 +22,6 @@ namespace Continua
 {
 namespace
 {
-constexpr const char *recorded_fields[] = {"pressure", "flow rate", "area"};
-constexpr const char *recorded_units[] = {"Pa", "m^3/s", "m^2"};
-constexpr unsigned int n_station_fields = 3;
-
 /// Of a pressure over the pressure [1]: a smaller range is no wave, but what is left of one.
 constexpr double smallest_range = 1e-8;
 
@@ -69,17 +66,25 @@ NonlinearWaveTheory::NonlinearWaveTheory(const AnalysisInput &input) : Analysis(
     section.refuse("Initial pressure", error.what(),
                    "Give a pressure nearer to the Reference pressure, or a stiffer wall");
   }
-  for (const NetworkParameters::Station &station : parameters.stations)
+  stations = std::make_unique<NetworkStations>(parameters);
+  for (std::size_t s = 0; s < stations->n_stations(); ++s)
   {
-    for (const std::string field : recorded_fields)
+    for (const NetworkStations::Field &field : stations->fields(s))
       for (const std::string kind : {"largest ", "smallest ", "mean ", "range of "})
-        quantities.add(kind + field, station.name);
-    quantities.add("time of the largest pressure", station.name);
+        if (field.has_extremes)
+          quantities.add(kind + field.name, stations->name(s));
+    quantities.add("time of the largest pressure", stations->name(s));
+    if (stations->is_chamber(s))
+      for (const char *const name : {"stroke volume", "ejection fraction", "stroke work"})
+        quantities.add(name, stations->name(s));
   }
   for (const char *const name : {"steps", "largest error of the volume"})
     quantities.add(name);
   if (parameters.period > 0.)
     for (const char *const name : {"beats", "difference of the last beat"})
+      quantities.add(name);
+  if (parameters.by_newton)
+    for (const char *const name : {"Newton iterations", "beats of Newton's method"})
       quantities.add(name);
   quantities.refuse_unknown(file, root.subsection("Expected"), expected);
 }
@@ -91,8 +96,11 @@ std::vector<std::string> NonlinearWaveTheory::outline() const
   for (const VesselEntries &vessel : parameters.vessels)
     n_cells += parameters.n_cells(vessel);
   lines.push_back("network: vessels " + std::to_string(parameters.vessels.size()) + ", nodes " +
-                  std::to_string(parameters.nodes.size()) + ", terminals " +
-                  std::to_string(parameters.terminals.size()) + ", cells " +
+                  std::to_string(parameters.nodes.size()) +
+                  (parameters.elements.empty()
+                       ? ""
+                       : ", elements " + std::to_string(parameters.elements.size())) +
+                  ", terminals " + std::to_string(parameters.terminals.size()) + ", cells " +
                   std::to_string(n_cells));
   lines.push_back(parameters.period > 0.
                       ? "beats of " + six_digits(parameters.period) + " s, at most " +
@@ -110,18 +118,33 @@ void NonlinearWaveTheory::record(const Network &network,
 {
   records.times.push_back(network.time());
   std::vector<double> row = {network.time()};
-  for (std::size_t s = 0; s < parameters.stations.size(); ++s)
-  {
-    const NetworkParameters::Station &station = parameters.stations[s];
-    const Vessel::Values values = network.vessel(station.vessel_number).values(station.position);
-    History &history = records.stations[s];
-    history.pressure.push_back(values.pressure);
-    history.flow_rate.push_back(values.flow);
-    history.area.push_back(values.area);
-    row.insert(row.end(), {values.pressure, values.flow, values.area});
-  }
+  stations->append_values(network, row);
+  for (std::size_t i = 0; i < records.histories.size(); ++i)
+    records.histories[i].push_back(row[i + 1]);
   if (table != nullptr)
     table->row(row);
+}
+
+bool NonlinearWaveTheory::search(const Network &network,
+                                 PeriodSearch &period,
+                                 const unsigned int beat,
+                                 Log &log,
+                                 Records &records) const
+{
+  const double residual = period.residual();
+  if (beat == 1 || (period.n_iterations() > 0 && residual <= parameters.tolerance))
+    return false;
+  const unsigned int n_before = period.n_periods();
+  const double volume_before = network.volume();
+  const bool moved = period.move();
+  records.moved_volume += network.volume() - volume_before;
+  records.n_iterations = period.n_iterations();
+  records.n_search_beats = period.n_periods();
+  log.detail("Newton's method after the beat " + std::to_string(beat) +
+             ": what the beat has changed is " + six_digits(residual) + " of the ranges; " +
+             std::to_string(period.n_periods() - n_before) + " beats more" +
+             (moved ? "" : ", and the state stays"));
+  return moved;
 }
 
 void NonlinearWaveTheory::run(Network &network,
@@ -132,37 +155,56 @@ void NonlinearWaveTheory::run(Network &network,
   const bool has_beats = parameters.period > 0.;
   const unsigned int n_intervals = parameters.n_intervals();
   const double length = has_beats ? parameters.period : parameters.end_time;
+  const auto advance = [&](const double time)
+  {
+    SignalWatch::stop_if_asked(communicator,
+                               "at " + six_digits(network.time()) + " s of the waves");
+    network.advance(time, parameters.courant_number, parameters.largest_step());
+  };
+  PeriodSearch period(network, advance);
+  bool has_moved = false; // before the present beat
   record(network, table, records);
   for (unsigned int beat = 1; beat <= (has_beats ? parameters.most_beats : 1); ++beat)
   {
     const std::clock_t begin = std::clock();
+    if (parameters.by_newton)
+      period.begin();
     for (unsigned int i = 1; i <= n_intervals; ++i)
     {
-      SignalWatch::stop_if_asked(communicator,
-                                 "at " + six_digits(network.time()) + " s of the waves");
-      network.advance((beat - 1) * length + i * length / n_intervals, parameters.courant_number);
+      advance((beat - 1) * length + i * length / n_intervals);
       record(network, table, records);
+      if (parameters.by_newton)
+        period.sample();
       log.progress(network.time(), has_beats ? parameters.most_beats * length : length,
                    network.n_steps());
     }
     records.n_beats = beat;
     log.detail("processor time of " + std::string(has_beats ? "the beat: " : "the run: ") +
                six_digits(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC) + " s");
-    if (!has_beats || beat == 1)
-      continue;
-    records.difference = 0.;
-    for (const History &history : records.stations)
-      records.difference =
-          std::fmax(records.difference,
-                    difference_of_beat(records.times, history.pressure, n_intervals, beat));
-    if (records.difference <= parameters.tolerance)
-      break;
+    if (has_beats && beat > 1)
+    {
+      records.difference = 0.;
+      std::size_t column = 0;
+      for (std::size_t s = 0; s < stations->n_stations(); column += stations->fields(s++).size())
+        records.difference = std::fmax(
+            records.difference,
+            difference_of_beat(records.times, records.histories[column], n_intervals, beat));
+      // With Newton's method the beat before must have been the start of this one, and an iterate.
+      if (records.difference <= parameters.tolerance &&
+          (!parameters.by_newton || (period.n_iterations() > 0 && !has_moved)))
+        break;
+    }
+    has_moved = parameters.by_newton && beat < parameters.most_beats &&
+                search(network, period, beat, log, records);
   }
   log.end_progress();
   if (!has_beats)
     return;
-  log.line("The beat " + std::to_string(records.n_beats) + " differs from the one before by " +
-           six_digits(records.difference) + " of the range of a pressure.");
+  const std::string text = "The beat " + std::to_string(records.n_beats) +
+                           " differs from the one before by " + six_digits(records.difference) +
+                           " of the range of a pressure.";
+  // With Newton's method it is round-off.
+  parameters.by_newton ? log.detail(text) : log.line(text);
 }
 
 void NonlinearWaveTheory::add_quantities(const Network &network,
@@ -170,36 +212,61 @@ void NonlinearWaveTheory::add_quantities(const Network &network,
                                          Summary &summary) const
 {
   const unsigned int n_intervals = parameters.n_intervals();
-  for (std::size_t s = 0; s < parameters.stations.size(); ++s)
+  std::size_t column = 0;
+  for (std::size_t s = 0; s < stations->n_stations(); column += stations->fields(s++).size())
   {
-    const std::string &name = parameters.stations[s].name;
-    const History &history = records.stations[s];
-    const std::vector<double> *const fields[] = {&history.pressure, &history.flow_rate,
-                                                 &history.area};
-    for (unsigned int f = 0; f < n_station_fields; ++f)
+    const std::string &name = stations->name(s);
+    const std::vector<NetworkStations::Field> &fields = stations->fields(s);
+    for (std::size_t f = 0; f < fields.size(); ++f)
     {
+      if (!fields[f].has_extremes)
+        continue;
       const BeatValues values =
-          beat_values(records.times, *fields[f], n_intervals, records.n_beats);
-      const std::string field = recorded_fields[f], unit = recorded_units[f];
+          beat_values(records.times, records.histories[column + f], n_intervals, records.n_beats);
+      const std::string field = fields[f].name, unit = fields[f].unit;
       summary.add({"largest " + field, values.largest, unit, name});
       summary.add({"smallest " + field, values.smallest, unit, name});
       summary.add({"mean " + field, values.mean, unit, name});
       summary.add({"range of " + field, values.range, unit, name});
     }
-    const auto begin = history.pressure.end() - (n_intervals + 1);
-    const std::size_t first = begin - history.pressure.begin(),
-                      highest = std::max_element(begin, history.pressure.end()) - begin;
+    const std::vector<double> &pressure = records.histories[column];
+    const auto begin = pressure.end() - (n_intervals + 1);
+    const std::size_t first = begin - pressure.begin(),
+                      highest = std::max_element(begin, pressure.end()) - begin;
     const std::vector<double> beat_times(records.times.begin() + first, records.times.end()),
-        beat(begin, history.pressure.end());
+        beat(begin, pressure.end());
     summary.add({"time of the largest pressure",
                  refine_extremum(beat_times, beat, highest).time - beat_times.front(), "s", name});
+    if (stations->is_chamber(s))
+      add_chamber(s, records.histories[column + 1], records.histories[column + 2], records,
+                  summary);
   }
   summary.add({"steps", static_cast<double>(network.n_steps()), "1", ""});
   if (parameters.period > 0.)
   {
     summary.add({"beats", static_cast<double>(records.n_beats), "1", ""});
+    if (parameters.by_newton)
+    {
+      summary.add({"Newton iterations", static_cast<double>(records.n_iterations), "1", ""});
+      summary.add(
+          {"beats of Newton's method", static_cast<double>(records.n_search_beats), "1", ""});
+    }
     summary.add({"difference of the last beat", records.difference, "1", ""});
   }
+}
+
+void NonlinearWaveTheory::add_chamber(const std::size_t station,
+                                      const std::vector<double> &volume,
+                                      const std::vector<double> &work,
+                                      const Records &records,
+                                      Summary &summary) const
+{
+  const unsigned int n_intervals = parameters.n_intervals();
+  const std::string &name = stations->name(station);
+  const BeatValues values = beat_values(records.times, volume, n_intervals, records.n_beats);
+  summary.add({"stroke volume", values.range, "m^3", name});
+  summary.add({"ejection fraction", values.range / values.largest, "1", name});
+  summary.add({"stroke work", work.back() - work[work.size() - 1 - n_intervals], "J", name});
 }
 
 void NonlinearWaveTheory::write_vessels(const OutputDirectory &directory,
@@ -222,6 +289,17 @@ void NonlinearWaveTheory::write_vessels(const OutputDirectory &directory,
   table.flush();
 }
 
+void NonlinearWaveTheory::write_elements(const OutputDirectory &directory) const
+{
+  const std::vector<ElementLaw> elements = parameters.circuit().elements;
+  TableWriter table(directory.file("network-elements.csv"), {"from node [1]", "to node [1]"});
+  // The elements that the file names; what stores liquid has one node.
+  for (std::size_t i = 0; i < parameters.elements.size(); ++i)
+    table.row({elements[i].from + 1.,
+               elements[i].stores() ? elements[i].from + 1. : elements[i].to + 1.});
+  table.flush();
+}
+
 void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Summary &summary)
 {
   summary.set_possible(quantities);
@@ -233,11 +311,11 @@ void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Su
   if (is_writing_rank(communicator))
   {
     write_vessels(directory, network);
+    if (!parameters.elements.empty())
+      write_elements(directory);
     std::vector<std::string> columns = {"time [s]"};
-    for (const NetworkParameters::Station &station : parameters.stations)
-      for (unsigned int f = 0; f < n_station_fields; ++f)
-        columns.push_back(station.name + ": " + recorded_fields[f] + " [" + recorded_units[f] +
-                          "]");
+    for (const std::string &column : stations->columns())
+      columns.push_back(column);
     table = std::make_unique<TableWriter>(directory.file("probes.csv"), columns);
   }
   std::vector<std::string> names;
@@ -245,18 +323,30 @@ void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Su
     names.push_back(vessel.name);
   summary.set("vessels", names);
   summary.set("nodes", parameters.nodes);
+  if (!parameters.elements.empty())
+  {
+    std::vector<std::string> of_elements, types;
+    for (const ElementEntries &element : parameters.elements)
+    {
+      of_elements.push_back(element.law.name);
+      types.push_back(element.type_name());
+    }
+    summary.set("elements", of_elements);
+    summary.set("types of elements", types);
+  }
   Records records;
-  records.stations.resize(parameters.stations.size());
+  records.histories.resize(stations->n_columns());
   const auto end_with = [&](const std::string &status, const std::string &key, const char *reason)
   {
     log.end_progress();
     summary.set(key, reason);
     summary.set("status", status);
     std::map<std::string, double> largest;
-    for (std::size_t s = 0; s < records.stations.size(); ++s)
-      for (const double pressure : records.stations[s].pressure)
+    std::size_t column = 0;
+    for (std::size_t s = 0; s < stations->n_stations(); column += stations->fields(s++).size())
+      for (const double pressure : records.histories[column])
       {
-        double &of_station = largest[parameters.stations[s].name + ": pressure [Pa]"];
+        double &of_station = largest[stations->name(s) + ": pressure [Pa]"];
         of_station = std::fmax(of_station, std::abs(pressure));
       }
     summary.set("largest values", largest);
@@ -282,9 +372,10 @@ void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Su
   if (table)
     table->flush();
   add_quantities(network, records, summary);
-  summary.add({"largest error of the volume",
-               std::abs(network.volume() - volume_at_start - network.inflow()) / volume_at_start,
-               "1", ""});
+  const double volume = network.volume(),
+               scale = std::fmax(std::abs(volume), std::abs(volume_at_start)),
+               error = volume - volume_at_start - network.inflow() - records.moved_volume;
+  summary.add({"largest error of the volume", scale > 0. ? std::abs(error) / scale : 0., "1", ""});
   const bool is_periodic = parameters.period == 0. || records.difference <= parameters.tolerance;
   const std::string failure =
       "after " + std::to_string(records.n_beats) +

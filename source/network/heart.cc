@@ -6,6 +6,13 @@ namespace Continua
 {
 Heart::Heart(const Law &law) : law(law), now(law.initial_volume), next(law.initial_volume) {}
 
+void Heart::end_step(const double time, const double step)
+{
+  const double before = pressure(time), change = next - now;
+  now = next;
+  done -= 0.5 * (before + pressure(time + step)) * change;
+}
+
 double Heart::filling(const double pressure) const
 {
   return std::max(0., (law.filling_pressure - pressure) / law.filling_resistance);

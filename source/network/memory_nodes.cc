@@ -1,5 +1,7 @@
 #include <continua/network/memory_nodes.h>
 
+#include <continua/network/solve_rows.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,48 +11,6 @@ namespace Continua
 namespace
 {
 using Affine = VesselMemory::Affine;
-using Rows = std::vector<std::vector<double>>;
-
-/// Gauss's elimination with pivots; the last column is the right-hand side. Few entries of the
-/// matrix of a network are not zero.
-std::vector<double> solve_rows(Rows rows)
-{
-  const std::size_t n = rows.size();
-  for (std::vector<double> &row : rows)
-  {
-    double largest = 0.;
-    for (std::size_t j = 0; j < n; ++j)
-      largest = std::fmax(largest, std::abs(row[j]));
-    for (double &value : row)
-      value /= largest;
-  }
-  for (std::size_t k = 0; k < n; ++k)
-  {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (std::abs(rows[i][k]) > std::abs(rows[pivot][k]))
-        pivot = i;
-    std::swap(rows[k], rows[pivot]);
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (rows[i][k] != 0.)
-      {
-        const double factor = rows[i][k] / rows[k][k];
-        for (std::size_t j = k; j <= n; ++j)
-          rows[i][j] -= factor * rows[k][j];
-      }
-  }
-  std::vector<double> solution(n);
-  for (std::size_t k = n; k-- > 0;)
-  {
-    double sum = rows[k][n];
-    for (std::size_t j = k + 1; j < n; ++j)
-      sum -= rows[k][j] * solution[j];
-    solution[k] = sum / rows[k][k];
-    if (!std::isfinite(solution[k]))
-      throw std::domain_error("the flow rates at the ends of walls that relax were not found");
-  }
-  return solution;
-}
 } // namespace
 
 MemoryNodes::MemoryNodes(std::vector<Edge> edges, const unsigned int n_nodes)
@@ -117,7 +77,9 @@ void MemoryNodes::solve(const std::vector<const Terminal *> &terminals,
     add(edge.from, -1., flows.back().start);
     add(edge.to, 1., flows.back().end);
   }
-  const std::vector<double> heads = solve_rows(rows);
+  std::vector<double> heads;
+  if (!solve_rows(rows, heads))
+    throw std::domain_error("the flow rates at the ends of walls that relax were not found");
   for (std::size_t i = 0; i < edges.size(); ++i)
     edges[i].vessel->end_memory_stage(flows[i].start.at(heads[edges[i].from], heads[edges[i].to]),
                                       flows[i].end.at(heads[edges[i].from], heads[edges[i].to]));

@@ -16,7 +16,9 @@ namespace
 constexpr double smallest_step = 1e-9;
 } // namespace
 
-Network::Network(std::vector<Edge> all_edges, const std::vector<TerminalLaw> &terminals)
+Network::Network(std::vector<Edge> all_edges,
+                 const std::vector<TerminalLaw> &terminals,
+                 const Circuit::Description &of_circuit)
     : edges(std::move(all_edges)), n_nodes(terminals.size())
 {
   const bool remembers =
@@ -32,19 +34,39 @@ Network::Network(std::vector<Edge> all_edges, const std::vector<TerminalLaw> &te
     ends.at(edge.from).emplace_back(edge.vessel.get(), Vessel::End::start);
     ends.at(edge.to).emplace_back(edge.vessel.get(), Vessel::End::end);
   }
+  std::vector<char> is_of_circuit(terminals.size(), 0);
+  for (const ElementLaw &law : of_circuit.elements)
+    for (const unsigned int node : {law.from, law.stores() ? law.from : law.to})
+      if (node < terminals.size())
+        is_of_circuit[node] = 1;
+  std::vector<std::pair<unsigned int, EndWave>> ends_at_elements;
   for (std::size_t node = 0; node < ends.size(); ++node)
-    if (ends[node].size() > 1)
+    if (is_of_circuit[node] != 0)
+      for (const auto &[vessel, end] : ends[node])
+        ends_at_elements.emplace_back(node, EndWave(*vessel, end));
+    else if (ends[node].size() > 1)
       junctions.emplace_back(ends[node]);
     else if (ends[node].size() == 1)
       loose_ends.push_back({Terminal(*ends[node][0].first, ends[node][0].second, terminals[node]),
                             0., static_cast<unsigned int>(node)});
+  elements = Circuit(of_circuit, std::move(ends_at_elements));
 }
 
 double Network::volume() const
 {
-  double sum = 0.;
+  double sum = elements.volume();
   for (const Edge &edge : edges)
     sum += edge.vessel->volume();
+  return sum;
+}
+
+double Network::energy() const
+{
+  double sum = elements.energy();
+  for (const Edge &edge : edges)
+    sum += edge.vessel->energy();
+  for (const Loose &loose : loose_ends)
+    sum += loose.terminal.energy();
   return sum;
 }
 
@@ -52,6 +74,14 @@ void Network::start_at_rest(const double pressure)
 {
   for (const Edge &edge : edges)
     edge.vessel->start_at_rest(pressure);
+  if (elements.is_empty())
+    return;
+  bool has_states = true;
+  for (const Edge &edge : edges)
+    has_states = edge.vessel->reconstruct() && has_states;
+  if (!has_states)
+    check_state();
+  elements.start_at_rest(clock());
 }
 
 void Network::solve_memory(const bool at_end_of_step, const double length)
@@ -77,7 +107,7 @@ void Network::solve_memory(const bool at_end_of_step, const double length)
     terminals[loose.node] = &loose.terminal;
   try
   {
-    MemoryNodes(of_memory, n_nodes).solve(terminals, at_end_of_step, now, length);
+    MemoryNodes(of_memory, n_nodes).solve(terminals, at_end_of_step, clock(), length);
   }
   catch (const std::domain_error &error)
   {
@@ -91,11 +121,11 @@ void Network::solve_nodes(const bool at_end_of_step, const double length)
   {
     for (Loose &loose : loose_ends)
     {
-      const double inflow = loose.terminal.solve(at_end_of_step, now, length);
+      const double inflow = loose.terminal.solve(at_end_of_step, clock(), length);
       if (at_end_of_step)
       {
         entered += 0.5 * length * (loose.first_inflow + inflow);
-        loose.terminal.end_step();
+        loose.terminal.end_step(clock(), length);
       }
       else
       {
@@ -105,6 +135,12 @@ void Network::solve_nodes(const bool at_end_of_step, const double length)
     }
     for (Junction &junction : junctions)
       junction.solve();
+    if (!elements.is_empty())
+    {
+      elements.solve_stage(at_end_of_step, clock(), length);
+      if (at_end_of_step)
+        entered += elements.inflow_of_step();
+    }
   }
   catch (const std::domain_error &error)
   {
@@ -128,6 +164,23 @@ void Network::check_state() const
 
 void Network::step(const double length)
 {
+  if (edges.empty())
+    try
+    {
+      elements.step_alone(clock(), length);
+      entered += elements.inflow_of_step();
+    }
+    catch (const std::domain_error &error)
+    {
+      throw StepFailure("at " + six_digits(now) + " s: " + error.what());
+    }
+  else
+    step_vessels(length);
+  ++steps;
+}
+
+void Network::step_vessels(const double length)
+{
   for (const Edge &edge : edges)
     edge.vessel->begin_step();
   for (const bool at_end_of_step : {false, true})
@@ -146,7 +199,6 @@ void Network::step(const double length)
         edge.vessel->add_memory(at_end_of_step, length);
     }
   }
-  ++steps;
 }
 
 const Network::Loose &Network::loose_end(const unsigned int node) const
@@ -194,23 +246,32 @@ bool Network::advance_in(const double end_time, const unsigned int n_steps)
   return true;
 }
 
-void Network::visit(StateNumbers &numbers)
+void Network::visit_state(StateNumbers &numbers)
 {
   for (const Edge &edge : edges)
     edge.vessel->visit(numbers);
   for (Loose &loose : loose_ends)
     loose.terminal.visit(numbers);
+  elements.visit(numbers);
+}
+
+void Network::visit(StateNumbers &numbers)
+{
+  visit_state(numbers);
+  for (Loose &loose : loose_ends)
+    loose.terminal.visit_sums(numbers);
+  elements.visit_sums(numbers);
   numbers.value(now);
   numbers.value(entered);
   numbers.value(steps);
 }
 
-void Network::advance(const double end_time, const double courant_number)
+void Network::advance(const double end_time, const double courant_number, const double most)
 {
   const double begin = now;
   while (now < end_time)
   {
-    double largest = end_time - now;
+    double largest = std::min(end_time - now, most);
     for (const Edge &edge : edges)
     {
       largest = std::min(largest, courant_number * edge.vessel->largest_step());

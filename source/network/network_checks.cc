@@ -22,6 +22,8 @@ constexpr unsigned int most_samples = 1000000;
 std::string
 known_names(const std::string &name, const std::vector<std::string> &names, const std::string &kind)
 {
+  if (names.empty())
+    return "There are no " + kind;
   const std::string nearest = nearest_name(name, names);
   return nearest.empty() ? "The " + kind + " are " + joined(names)
                          : "Did you mean '" + nearest + "'?";
@@ -49,7 +51,8 @@ bool NetworkParameters::is_at_body(const std::string &name) const
 
 void NetworkParameters::refuse_times(const ParameterSection &section)
 {
-  for (const char *const key : {"Period", "Most beats", "Tolerance", "End time", "Output interval"})
+  for (const char *const key : {"Period", "Most beats", "Periodic state", "Tolerance", "End time",
+                                "Output interval", "Time step"})
     if (section.given(key))
       section.refuse(key, "the network at the end of a body goes on with the steps of the body",
                      "Remove the entry; the sections Time, Periodic state and Output have the "
@@ -58,10 +61,10 @@ void NetworkParameters::refuse_times(const ParameterSection &section)
 
 void NetworkParameters::check(ParameterSection section)
 {
-  if (vessels.empty())
-    section.refuse_missing("the network has no vessel",
-                           "Give a 'Vessel table', or a section 'Vessels' with a subsection for "
-                           "each vessel");
+  if (vessels.empty() && elements.empty())
+    section.refuse_missing("the network has no vessel and no element",
+                           "Give a 'Vessel table', or a section 'Vessels' or 'Elements' with a "
+                           "subsection for each of them");
   for (auto vessel = vessels.begin(); vessel != vessels.end(); ++vessel)
   {
     if (std::any_of(vessels.begin(), vessel,
@@ -79,6 +82,10 @@ void NetworkParameters::check(ParameterSection section)
       if (node(name) == nodes.size())
         nodes.push_back(name);
   }
+  for (const ElementEntries &element : elements)
+    for (const std::string &name : {element.from, element.to})
+      if (!name.empty() && node(name) == nodes.size())
+        nodes.push_back(name);
   for (const VesselEntries &vessel : vessels)
     if (vessel.length / cell_length > most_cells)
       section.refuse("Cell length",
@@ -86,7 +93,9 @@ void NetworkParameters::check(ParameterSection section)
                          " m would have more than a million cells",
                      "Give a longer one");
   check_ends();
+  check_elements();
   set_heights();
+  check_pressures();
   check_stations(section);
   if (nodes_at_body.empty())
     check_times(section);
@@ -130,7 +139,7 @@ void NetworkParameters::check_ends()
     if (is_at_body(terminal.node))
       terminal.refuse("at the node '" + terminal.node + "' stands the body",
                       "Remove the terminal, or name another node at the boundary of the body");
-    if (n_ends(number) > 1)
+    if (n_ends(number) > 1 && !has_element(terminal.node))
       terminal.refuse("at the node '" + terminal.node + "' " + std::to_string(n_ends(number)) +
                           " vessels meet",
                       "Remove the terminal, or put it to a loose end");
@@ -142,7 +151,8 @@ void NetworkParameters::check_ends()
     for (const std::string key : {"From", "To"})
     {
       const std::string &name = key == "From" ? vessel.from : vessel.to;
-      if (n_ends(node(name)) == 1 && !has_terminal[node(name)] && !is_at_body(name))
+      if (n_ends(node(name)) == 1 && !has_terminal[node(name)] && !is_at_body(name) &&
+          !has_element(name))
         vessel.refuse(key,
                       "the vessel '" + vessel.name + "' has a loose end at the node '" + name + "'",
                       "Say in 'Terminals/" + name +
@@ -161,20 +171,24 @@ void NetworkParameters::set_heights()
   // Networks at several ends of a body may meet in the body alone: each has its own zero.
   std::vector<std::string> zeros = nodes_at_body;
   bool changed = true;
+  const auto connect = [&](double &from, double &to, const double rise)
+  {
+    if (std::isnan(from) == std::isnan(to))
+      return;
+    changed = true;
+    if (std::isnan(to))
+      to = from + rise;
+    else
+      from = to - rise;
+  };
   while (changed)
   {
     changed = false;
     for (const VesselEntries &vessel : vessels)
-    {
-      double &from = heights[node(vessel.from)], &to = heights[node(vessel.to)];
-      if (std::isnan(from) == std::isnan(to))
-        continue;
-      changed = true;
-      if (std::isnan(to))
-        to = from + vessel.rise;
-      else
-        from = to - vessel.rise;
-    }
+      connect(heights[node(vessel.from)], heights[node(vessel.to)], vessel.rise);
+    for (const ElementEntries &element : elements)
+      if (!element.law.stores())
+        connect(heights[node(element.from)], heights[node(element.to)], 0.);
     for (; !changed && !zeros.empty(); zeros.pop_back())
       if (double &height = heights[node(zeros.back())]; std::isnan(height))
       {
@@ -199,24 +213,58 @@ void NetworkParameters::set_heights()
                         "' the rises have a sum that is not zero",
                     "Correct the rise of a vessel of the loop");
   }
+  for (const ElementEntries &element : elements)
+  {
+    const double from = heights[node(element.from)],
+                 to = element.law.stores() ? from : heights[node(element.to)];
+    if (std::isnan(from))
+      element.refuse(element.key_of_node(),
+                     "the element '" + element.law.name + "' is not connected with the node '" +
+                         nodes.front() + "'",
+                     "Let it meet what is, or make a file for each network");
+    if (std::abs(from - to) > tolerance_of_heights * sum)
+      element.refuse(element.key_of_node(),
+                     "the element '" + element.law.name +
+                         "' has no length, and its nodes are at different heights",
+                     "Correct the rises of the vessels between its nodes");
+  }
 }
 
 void NetworkParameters::check_stations(ParameterSection &section)
 {
-  std::vector<std::string> names;
+  std::vector<std::string> of_vessels, of_elements, chambers;
   for (const VesselEntries &vessel : vessels)
-    names.push_back(vessel.name);
-  if (stations.empty() && nodes_at_body.empty())
+    of_vessels.push_back(vessel.name);
+  for (const ElementEntries &element : elements)
+  {
+    of_elements.push_back(element.law.name);
+    if (element.law.type == ElementLaw::Type::chamber)
+      chambers.push_back(element.law.name);
+  }
+  for (const TerminalEntries &terminal : terminals)
+    if (terminal.law.type == TerminalLaw::Type::heart)
+      chambers.push_back(terminal.node);
+  if (stations.empty() && chambers.empty() && nodes_at_body.empty())
     section.refuse_missing("the network has no station where values are recorded",
                            "Write a section 'Stations' with a subsection for each station");
   for (Station &station : stations)
   {
     const ParameterSection of_station = section.subsection("Stations").subsection(station.name);
-    station.vessel_number = std::find(names.begin(), names.end(), station.vessel) - names.begin();
-    if (station.vessel_number == names.size())
-      of_station.refuse("Vessel", "there is no vessel '" + station.vessel + "'",
-                        known_names(station.vessel, names, "vessels"));
-    const double length = vessels[station.vessel_number].length;
+    if (std::find(chambers.begin(), chambers.end(), station.name) != chambers.end())
+      of_station.refuse("", "the chamber '" + station.name + "' is recorded under this name",
+                        "Rename the station");
+    const bool is_at_element = !station.element.empty();
+    const std::string &name = is_at_element ? station.element : station.vessel,
+                      kind = is_at_element ? "element" : "vessel";
+    const std::vector<std::string> &names = is_at_element ? of_elements : of_vessels;
+    station.number = std::find(names.begin(), names.end(), name) - names.begin();
+    if (station.number == names.size())
+      of_station.refuse(is_at_element ? "Element" : "Vessel",
+                        "there is no " + kind + " '" + name + "'",
+                        known_names(name, names, kind + "s"));
+    if (is_at_element)
+      continue;
+    const double length = vessels[station.number].length;
     if (station.position > length)
       of_station.refuse("Position",
                         "the vessel '" + station.vessel + "' is " + shortest_number(length) +
@@ -234,7 +282,7 @@ void NetworkParameters::check_times(const ParameterSection &section)
     section.refuse_missing("the run has no end",
                            "Give the 'Period' of its beats, or an 'End time'");
   if (period == 0.)
-    for (const std::string key : {"Most beats", "Tolerance"})
+    for (const std::string key : {"Most beats", "Periodic state", "Tolerance"})
       if (section.given(key))
         section.refuse(key, "there are no beats", "Remove the entry, or give a Period");
   const double duration = period > 0. ? period : end_time;
@@ -253,6 +301,13 @@ void NetworkParameters::check_times(const ParameterSection &section)
                          " s after which the table of the terminal '" + terminal.node +
                          "' repeats itself",
                      "Correct it, or the 'Table period' of the terminal");
+  for (const ElementEntries &element : elements)
+    if (element.period > 0. && period > 0. && std::abs(element.period - period) > 1e-6 * period)
+      section.refuse("Period",
+                     "is not the " + shortest_number(element.period) +
+                         " s after which the table of the element '" + element.law.name +
+                         "' repeats itself",
+                     "Correct it, or the 'Table period' of the element");
   check_elastances(duration);
 }
 
@@ -261,14 +316,21 @@ void NetworkParameters::check_elastances(const double duration, const double ste
   const auto n = static_cast<unsigned int>(
       step > 0. ? std::clamp(std::ceil(duration / step), 1. * n_samples, 1. * most_samples)
                 : n_samples);
+  const auto problem_of = [&](const std::function<double(double)> &elastance)
+  {
+    for (unsigned int i = 0; i <= n; ++i)
+      if (const double time = i * duration / n, value = elastance(time); !(value > 0.))
+        return "its Elastance is " + six_digits(value) + " Pa/m^3 at " + six_digits(time) + " s";
+    return std::string();
+  };
+  const std::string remedy = "Write a function that is positive at all times";
   for (const TerminalEntries &terminal : terminals)
-    for (unsigned int i = 0; terminal.law.type == TerminalLaw::Type::heart && i <= n; ++i)
-    {
-      const double time = i * duration / n, elastance = terminal.law.value(time);
-      if (!(elastance > 0.))
-        terminal.refuse("its Elastance is " + six_digits(elastance) + " Pa/m^3 at " +
-                            six_digits(time) + " s",
-                        "Write a function that is positive at all times");
-    }
+    if (terminal.law.type == TerminalLaw::Type::heart)
+      if (const std::string problem = problem_of(terminal.law.value); !problem.empty())
+        terminal.refuse(problem, remedy);
+  for (const ElementEntries &element : elements)
+    if (element.law.type == ElementLaw::Type::chamber)
+      if (const std::string problem = problem_of(element.law.elastance); !problem.empty())
+        element.refuse("Elastance", problem, remedy);
 }
 } // namespace Continua

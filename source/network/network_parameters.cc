@@ -94,11 +94,19 @@ void NetworkParameters::read_times(ParameterSection &section)
               "from it. The friction limits them, too: by the same number times area/(2 pi (zeta + "
               "2) mu/rho), which is the shorter one in vessels that are very thin.",
               {0., 1., true, false});
+  section.add("Time step", time_step, Dimensions::time,
+              "Of the steps, at most; 0: that of the waves, and in a network without vessels a "
+              "thousandth of the period or the end time.",
+              Range::not_negative());
   section.add("Period", period, Dimensions::time,
               "Of the beats. The run goes on until a beat is like the one before. 0: there are no "
               "beats, the run ends at the end time.",
               Range::not_negative());
   section.add("Most beats", most_beats, "After which the run ends in any case [1].", 2);
+  add_choice(section, "Periodic state", by_newton, {{"beats", false}, {"newton", true}},
+             "How it is found: beats - beat after beat, which takes long where a windkessel has a "
+             "time of many beats; newton - by Newton's method for the state that a beat leaves as "
+             "it is, with beats of its own between those of probes.csv.");
   section.add(
       "Tolerance", tolerance, Dimensions::none,
       "Of the periodic state: the largest difference of the pressure at a station from that "
@@ -136,6 +144,10 @@ void NetworkParameters::read(ParameterSection section)
   for (const std::string &name : of_vessels.subsections())
     vessels.push_back(VesselEntries::read(of_vessels.subsection(name)));
 
+  ParameterSection of_elements = section.subsection("Elements");
+  for (const std::string &name : of_elements.subsections())
+    elements.push_back(ElementEntries::read(of_elements.subsection(name)));
+
   double pressure_behind = 0.;
   file.clear();
   section.add_input_file(
@@ -160,10 +172,21 @@ void NetworkParameters::read(ParameterSection section)
     ParameterSection of_station = of_stations.subsection(name);
     Station station;
     station.name = name;
-    of_station.add("Vessel", station.vessel, "Where the station is. Required.");
-    of_station.require("Vessel");
+    of_station.add("Vessel", station.vessel, "Where the station is. Required without an Element.");
+    of_station.add(
+        "Element", station.element,
+        "Of the section Elements, whose pressure and flow rate, or volume, are recorded. "
+        "Chambers are recorded by themselves.");
+    if (station.element.empty())
+      of_station.require("Vessel");
+    else if (!station.vessel.empty())
+      of_station.refuse("Vessel", "the station is at the element '" + station.element + "'",
+                        "Remove this or the Element");
     of_station.add("Position", station.position, Dimensions::length,
                    "Distance from the start of the vessel.", Range::not_negative());
+    if (!station.element.empty() && station.position > 0.)
+      of_station.refuse("Position", "the element '" + station.element + "' has no length",
+                        "Remove this or the Element");
     stations.push_back(station);
   }
 }
@@ -207,6 +230,15 @@ unsigned int NetworkParameters::n_cells(const VesselEntries &vessel) const
 {
   return std::max(fewest_cells,
                   static_cast<unsigned int>(std::ceil(vessel.length / cell_length * (1. - 1e-9))));
+}
+
+double NetworkParameters::largest_step() const
+{
+  constexpr double in_a_beat = 1000.;
+  if (time_step > 0.)
+    return time_step;
+  return vessels.empty() ? (period > 0. ? period : end_time) / in_a_beat
+                         : std::numeric_limits<double>::infinity();
 }
 
 unsigned int NetworkParameters::n_intervals() const
@@ -278,7 +310,7 @@ NetworkParameters::make(const std::vector<std::function<double(double)>> &inflow
     law.initial_pressure =
         initial_pressure - liquid.density * liquid.gravity * heights[node(nodes_at_body[i])];
   }
-  Network network(std::move(edges), laws);
+  Network network(std::move(edges), laws, circuit());
   network.start_at_rest(initial_pressure);
   return network;
 }

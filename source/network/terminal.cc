@@ -215,11 +215,19 @@ double Terminal::solve(const bool at_end_of_step, const double time, const doubl
   return -outflow;
 }
 
-void Terminal::end_step()
+void Terminal::end_step(const double time, const double step)
 {
   if (law.type == TerminalLaw::Type::windkessel)
     compliance_pressure = next_pressure;
-  heart.end_step();
+  if (law.type == TerminalLaw::Type::heart)
+    heart.end_step(time, step);
+}
+
+double Terminal::energy() const
+{
+  const double pressure = compliance_pressure - law.pressure_behind;
+  return law.type == TerminalLaw::Type::windkessel ? 0.5 * law.compliance * pressure * pressure
+                                                   : 0.;
 }
 
 void Terminal::visit(StateNumbers &numbers)

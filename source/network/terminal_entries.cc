@@ -3,7 +3,7 @@
 #include <continua/base/csv_table.h>
 #include <continua/base/required_entry.h>
 #include <continua/base/words.h>
-#include <continua/signal/waveform.h>
+#include <continua/network/value_of_time.h>
 
 #include <memory>
 
@@ -23,23 +23,15 @@ const Words<Type> &terminal_type_words()
   return words;
 }
 
-/// A function of time alone.
 void read_value(ParameterSection &section,
                 TerminalEntries &terminal,
                 const std::string &key,
                 const Dimension &dimension,
                 const std::string &text)
 {
-  const Waveform waveform = Waveform::read(section, key, dimension, text, true);
-  if (waveform.depends_on_space())
-    section.refuse(key, "depends on x, y or z",
-                   "Write it as a function of t: the end of a vessel has no place in space");
-  terminal.period = waveform.table_period();
-  terminal.law.value = [waveform](const double time)
-  {
-    const double origin[3] = {0., 0., 0.};
-    return waveform(origin, time);
-  };
+  const ValueOfTime over_time = ValueOfTime::read(section, key, dimension, text);
+  terminal.period = over_time.period;
+  terminal.law.value = over_time.value;
 }
 
 void read_pressure_behind(ParameterSection &section, TerminalLaw &law)

@@ -31,6 +31,16 @@ double Vessel::volume() const
   return sum * cell_length();
 }
 
+double Vessel::energy() const
+{
+  const FlowLaw &law = flow_law();
+  double sum = 0.;
+  for (unsigned int i = 0; i < n_cells(); ++i)
+    sum += 0.5 * law.density * flow[i] * flow[i] / area[i] + wall_energy(i, area[i]) +
+           law.density * law.gravity * height((i + 0.5) * cell_length()) * area[i];
+  return sum * cell_length();
+}
+
 Vessel::Values Vessel::values(const double z) const
 {
   const double cell = cell_length(), place = z / cell - 0.5;

@@ -88,6 +88,20 @@ private:
   {
     return centres[cell].pressure(of_area);
   }
+  double wall_energy(const unsigned int cell, const double of_area) const override
+  {
+    // Gauss's rule with four points.
+    constexpr double places[] = {0.339981043584856, 0.861136311594053},
+                     weights[] = {0.652145154862546, 0.347854845137454};
+    const Wall &wall = centres[cell];
+    const double start = wall.reference_area(), half = 0.5 * (of_area - start),
+                 middle = start + half;
+    double sum = 0.;
+    for (unsigned int i = 0; i < 2; ++i)
+      sum += weights[i] *
+             (wall.pressure(middle - places[i] * half) + wall.pressure(middle + places[i] * half));
+    return half * sum;
+  }
   double stiffness_at_face(const unsigned int face, const double of_area) const override
   {
     return faces[face].stiffness(of_area);

@@ -12,16 +12,6 @@ namespace
 {
 constexpr char network_table[] = "network.csv", network_archive_name[] = "network record",
                network_volume_name[] = "largest error of the network's volume";
-
-struct StationField
-{
-  const char *name, *unit;
-  double Vessel::Values::*value;
-};
-constexpr StationField station_values[] = {{"pressure", "Pa", &Vessel::Values::pressure},
-                                           {"flow rate", "m^3/s", &Vessel::Values::flow},
-                                           {"area", "m^2", &Vessel::Values::area}};
-constexpr std::size_t n_network_fields = 3;
 } // namespace
 
 template <int dim>
@@ -29,8 +19,8 @@ NetworkRecord<dim>::NetworkRecord(const MPI_Comm communicator,
                                   std::shared_ptr<const NetworkParameters> parameters)
     : run_table(communicator),
       parameters(std::move(parameters)),
-      largest(n_network_fields * this->parameters->stations.size(),
-              -std::numeric_limits<double>::infinity()),
+      stations(*this->parameters),
+      largest(stations.n_columns(), -std::numeric_limits<double>::infinity()),
       smallest(largest.size(), std::numeric_limits<double>::infinity())
 {
 }
@@ -39,9 +29,8 @@ template <int dim>
 std::vector<std::string> NetworkRecord<dim>::header() const
 {
   std::vector<std::string> names = {"time [s]"};
-  for (const NetworkParameters::Station &station : parameters->stations)
-    for (const StationField &field : station_values)
-      names.push_back(station.name + ": " + field.name + " [" + field.unit + "]");
+  for (const std::string &column : stations.columns())
+    names.push_back(column);
   names.insert(names.end(), {"volume [m^3]", "inflow [m^3]"});
   return names;
 }
@@ -50,17 +39,11 @@ template <int dim>
 void NetworkRecord<dim>::add_row(const Network &network, const double time, const bool writes)
 {
   row.assign({time});
-  for (std::size_t s = 0; s < parameters->stations.size(); ++s)
+  stations.append_values(network, row);
+  for (std::size_t i = 0; i < largest.size(); ++i)
   {
-    const NetworkParameters::Station &station = parameters->stations[s];
-    const Vessel::Values values = network.vessel(station.vessel_number).values(station.position);
-    for (std::size_t f = 0; f < n_network_fields; ++f)
-    {
-      const double value = values.*station_values[f].value;
-      largest[n_network_fields * s + f] = std::max(largest[n_network_fields * s + f], value);
-      smallest[n_network_fields * s + f] = std::min(smallest[n_network_fields * s + f], value);
-      row.push_back(value);
-    }
+    largest[i] = std::max(largest[i], row[i + 1]);
+    smallest[i] = std::min(smallest[i], row[i + 1]);
   }
   largest_difference =
       std::max(largest_difference, std::abs(network.volume() - volume_at_start - network.inflow()));
@@ -99,13 +82,16 @@ template <int dim>
 void NetworkRecord<dim>::finish(const RecordedEnd<dim> &end)
 {
   run_table.flush();
-  for (std::size_t s = 0; s < parameters->stations.size(); ++s)
-    for (std::size_t f = 0; f < n_network_fields; ++f)
+  std::size_t column = 0;
+  for (std::size_t s = 0; s < stations.n_stations(); ++s)
+    for (const NetworkStations::Field &field : stations.fields(s))
     {
-      const std::string name = station_values[f].name, unit = station_values[f].unit,
-                        &station = parameters->stations[s].name;
-      end.summary.add({"largest " + name, largest[n_network_fields * s + f], unit, station});
-      end.summary.add({"smallest " + name, smallest[n_network_fields * s + f], unit, station});
+      if (field.has_extremes)
+      {
+        end.summary.add({"largest " + field.name, largest[column], field.unit, stations.name(s)});
+        end.summary.add({"smallest " + field.name, smallest[column], field.unit, stations.name(s)});
+      }
+      ++column;
     }
   end.summary.add({network_volume_name, largest_difference / volume_at_start, "1", ""});
 }
@@ -113,10 +99,12 @@ void NetworkRecord<dim>::finish(const RecordedEnd<dim> &end)
 template <int dim>
 void NetworkRecord<dim>::name_quantities(const NetworkParameters &parameters, QuantityNames &names)
 {
-  for (const NetworkParameters::Station &station : parameters.stations)
-    for (const StationField &field : station_values)
+  const NetworkStations stations(parameters);
+  for (std::size_t s = 0; s < stations.n_stations(); ++s)
+    for (const NetworkStations::Field &field : stations.fields(s))
       for (const std::string kind : {"largest ", "smallest "})
-        names.add(kind + field.name, station.name);
+        if (field.has_extremes)
+          names.add(kind + field.name, stations.name(s));
   names.add(network_volume_name);
 }
 

@@ -12,7 +12,7 @@ namespace
 {
 bool has_stores(const Outlet &outlet)
 {
-  return outlet.impedance.terms_store_energy && !outlet.impedance.terms.empty();
+  return outlet.network || (outlet.impedance.terms_store_energy && !outlet.impedance.terms.empty());
 }
 } // namespace
 

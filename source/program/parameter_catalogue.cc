@@ -317,12 +317,23 @@ std::vector<Source> sources()
        "",
        {}},
       {"Network",
-       "Vessels in one dimension, and three families, one subsection each, called as you like: "
-       "Vessels, Terminals (by the node of the loose end) and Stations.",
+       "Vessels in one dimension, elements without a length, and four families, one subsection "
+       "each, called as you like: Vessels, Elements, Terminals (by the node of the loose end) and "
+       "Stations.",
        {"Network/Vessels/<vessel>/From=<node>", "Network/Stations/<station>/Vessel=<vessel>"},
        [](Root &root, const General &) { NetworkParameters().read(root.subsection("Network")); },
        "",
        {}},
+      {"Elements of a network",
+       "What has no length in a network: between two nodes, or at one.",
+       {},
+       [](Root &root, const General &)
+       {
+         ElementEntries::read(
+             root.subsection("Network").subsection("Elements").subsection("<element>"));
+       },
+       "Network/Elements/<element>/Type",
+       ElementEntries::types()},
       {"Terminals of a network",
        "What stands at the loose ends of vessels, by the node.",
        {},

@@ -158,6 +158,68 @@ void short_vessel()
   check::is_true("a short vessel: at most five corrections", most <= 6);
 }
 
+/// A pressure over time at the other end of a tube of 0.1 m, before a body that is the impedance of
+/// the tube: at the joint is the wave of d'Alembert, late by the time along the tube. Returns the
+/// largest error at the balanced levels, over the height of the pulse.
+double error_of_a_terminal_in_time(const std::string &scheme, const double size)
+{
+  const double length = 0.1, late = length / speed, end = 0.12;
+  Outlet outlet = outlet_of({"joint"}, vessel("tube", "joint", "end", "0.1 m"),
+                            "subsection end\nset Type = pressure\nset Pressure = 0\nend\n");
+  const auto in_time = std::make_shared<NetworkParameters>(*outlet.network);
+  in_time->cell_length = 0.5e-3;
+  in_time->terminals.front().law.value = [end](const double time)
+  { return time > 0. && time < end ? std::pow(std::sin(M_PI * time / end), 4) : 0.; };
+  outlet.network = in_time;
+  NetworkModel model(outlet);
+  double largest = 0., flow = 0.;
+  for (unsigned int i = 0; i * size < end + late; ++i)
+  {
+    const Step step = step_of(scheme, i, size);
+    model.linearise(step, &flow);
+    do
+      flow = -model.predicted_pressures()[0] / (impedance + model.impedance()(0, 0));
+    while (model.correct(&flow));
+    largest = std::max(largest, std::abs(-impedance * flow - in_time->terminals.front().law.value(
+                                                                 step.balance_time - late)));
+    model.advance(step, &flow);
+  }
+  return largest;
+}
+
+/// What leaves the body for a tube with a closed end is what the tube stores.
+void energy()
+{
+  const Outlet outlet = outlet_of({"joint"}, vessel("tube", "joint", "end", "0.5 m"),
+                                  "subsection end\nset Type = closed\nend\n");
+  NetworkModel model(outlet);
+  double left = 0., stored = 0.;
+  const double before = model.network()->energy();
+  for (unsigned int i = 0; i < 60; ++i)
+  {
+    const Step step = crank_nicolson_step(i * h, h);
+    const double flow = 100. * pulse(step.balance_time);
+    model.linearise(step, nullptr);
+    const double pressure = pressure_with(model, flow);
+    model.advance(step, &flow);
+    left += h * pressure * flow;
+    stored += h * model.stored_power();
+  }
+  check::relative("energy: stored over time", stored, model.network()->energy() - before, 1e-6);
+  check::relative("energy: what left the body is stored", stored, left, 3e-3);
+}
+
+void terminals_in_time()
+{
+  for (const std::string scheme : {"euler", "backward differencing", "crank nicolson"})
+  {
+    const double coarse = error_of_a_terminal_in_time(scheme, 8e-3),
+                 fine = error_of_a_terminal_in_time(scheme, 4e-3);
+    check::absolute(scheme + ": a terminal in time", fine, 0., 0.006);
+    check::absolute(scheme + ": a terminal in time: order", std::log2(coarse / fine), 2., 0.25);
+  }
+}
+
 class Numbers : public NumbersVisitor
 {
 public:
@@ -267,6 +329,8 @@ UNIT_TEST(network_model)
     tube_that_goes_on(scheme, 1.);
   tube_that_goes_on("crank nicolson", 0.25);
   short_vessel();
+  terminals_in_time();
+  energy();
   loop();
   steady_search_and_failures();
 }

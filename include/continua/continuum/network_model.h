@@ -19,7 +19,7 @@ namespace Continua
  * are those that enter the network, whatever the scheme, and the joint makes no energy. With
  * backward Euler and backward differencing, whose balanced level is the end of the step, the
  * network is half a step ahead of its own clock, and its mean pressure as much behind its state:
- * together both are in time, but for terminals that depend on time, which are half a step late.
+ * together both are in time. Terminals and chambers that depend on time have the clock of the body.
  *
  * p(Q) is linear up to the waves of finite height. Z is found by differences where the size of the
  * step is a new one, and follows from step to step by C. G. Broyden's update (Math. Comp. 19 (1965)
@@ -40,6 +40,7 @@ public:
   dealii::FullMatrix<double> impedance() const override { return z; }
   void advance(const Step &step, const double *flow_rates) override;
   void set_steady(const double *flow_rates) override;
+  double stored_power() const override;
   std::vector<double> present_pressures(double time, const double *flow_rates) const override;
   bool jumps(double /*begin*/, double /*end*/) const override { return false; }
   const Network *network() override;
@@ -54,6 +55,7 @@ private:
     std::vector<double> z;          ///< by rows, of the last step [Pa s/m^3]
     std::vector<double> flow_rates; ///< at the balanced level of the last step [m^3/s]
     double size = 0.;               ///< of the last step [s]; 0: none
+    double energy = 0.;             ///< of the network [J]
   };
   const Outlet &outlet;
   /// Into the nodes, by port [m^3/s]; the network asks for them.

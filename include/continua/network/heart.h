@@ -27,7 +27,12 @@ public:
   };
   explicit Heart(const Law &law);
 
-  double volume() const { return now; } ///< [m^3]
+  double volume() const { return now; }    ///< [m^3]
+  double work() const { return done; }     ///< that it has done since the start [J]
+  double pressure(const double time) const ///< of the present volume [Pa]
+  {
+    return law.elastance(time) * (now - law.unloaded_volume);
+  }
   /// The pressure in the chamber [Pa] in a stage at the begin (or the end) of a step, if it gives
   /// this flow rate [m^3/s] at the end of the step; and its derivative [Pa s/m^3].
   struct Pressure
@@ -37,7 +42,8 @@ public:
   Pressure pressure(bool at_end_of_step, double time, double step, double outflow) const;
   /// Takes the flow rate that was found in a stage.
   void take(bool at_end_of_step, double time, double step, double outflow);
-  void end_step() { now = next; }
+  /// After the second stage of a step from `time` over `step` [s].
+  void end_step(double time, double step);
   /// Whether the valve to the vessel is open, where the vessel has this pressure [Pa] without a
   /// flow.
   bool is_open(bool at_end_of_step, double time, double step, double outside) const
@@ -51,11 +57,14 @@ public:
     for (double *const member : {&now, &next, &outflow_at_begin, &filling_at_begin})
       numbers.value(*member);
   }
+  /// The same for what only counts since the start.
+  void visit_sums(StateNumbers &numbers) { numbers.value(done); }
 
 private:
   Law law;
   double now, next; ///< volume at the begin and the end of the step [m^3]
   double outflow_at_begin = 0., filling_at_begin = 0.; ///< [m^3/s]
+  double done = 0.;                                    ///< [J]
 
   double filling(double pressure) const;
   double volume_at_end(double time, double step, double outflow, double &slope) const;

@@ -1,11 +1,13 @@
 #ifndef continua_network_network_h
 #define continua_network_network_h
 
+#include <continua/network/circuit.h>
 #include <continua/network/junction.h>
 #include <continua/network/memory_nodes.h>
 #include <continua/network/terminal.h>
 #include <continua/network/vessel.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,7 +15,8 @@
 namespace Continua
 {
 /**
- * Vessels that meet in nodes, and their common steps in time. A loose end has a TerminalLaw.
+ * Vessels and elements without a length (Circuit) that meet in nodes, and their common steps in
+ * time. A loose end of a vessel has a TerminalLaw.
  */
 class Network
 {
@@ -24,23 +27,35 @@ public:
     std::unique_ptr<Vessel> vessel;
     unsigned int from, to;
   };
-  /// `terminals`: for each node, in order; of nodes with several ends none is used.
-  Network(std::vector<Edge> edges, const std::vector<TerminalLaw> &terminals);
+  /// `terminals`: for each node, in order; of nodes with several ends, and of those of the circuit,
+  /// none is used. The circuit may have nodes beyond these.
+  Network(std::vector<Edge> edges,
+          const std::vector<TerminalLaw> &terminals,
+          const Circuit::Description &elements = {});
 
   unsigned int n_vessels() const { return edges.size(); }
   const Vessel &vessel(const unsigned int number) const { return *edges[number].vessel; }
   Vessel &vessel(const unsigned int number) { return *edges[number].vessel; }
+  const Circuit &circuit() const { return elements; }
+  /// Of a terminal that is a heart.
+  const Heart &heart(const unsigned int node) const { return loose_end(node).terminal.chamber(); }
   double time() const { return now; } ///< [s]
-  double volume() const;              ///< of all liquid [m^3]
+  /// Of what depends on time [s].
+  double clock() const { return now + clock_ahead; }
+  double volume() const; ///< of all liquid [m^3]
+  /// Of liquid, walls, compliances and inertances [J]; without what the memory of walls stores.
+  double energy() const;
   /// What has flowed in through loose ends since the start, less what has flowed out [m^3].
   double inflow() const { return entered; }
   unsigned int n_steps() const { return steps; }
 
   /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error.
   void start_at_rest(double pressure);
-  /// Goes on to a time [s] in equal steps whose Courant number is at most `courant_number`. Throws
-  /// StepFailure with time, vessel and place.
-  void advance(double end_time, double courant_number);
+  /// Goes on to a time [s] in equal steps whose Courant number is at most `courant_number`, and
+  /// which are not longer than `most` [s]. Throws StepFailure with time, vessel and place.
+  void advance(double end_time,
+               double courant_number,
+               double most = std::numeric_limits<double>::infinity());
 
   // At the ends of a body.
   /// With a Courant number of 1 from the present state [s].
@@ -55,8 +70,13 @@ public:
   /// At that loose end: the area [m^2], and dp/dA there [Pa/m^2].
   double end_area(unsigned int node) const;
   double end_stiffness(unsigned int node) const;
+  /// How far the clock of what depends on time is ahead of that of the network [s].
+  void set_clock_ahead(const double time) { clock_ahead = time; }
   /// Hands over what a step changes.
   void visit(StateNumbers &numbers);
+  /// The same without the time and what is counted since the start: what the further course depends
+  /// on.
+  void visit_state(StateNumbers &numbers);
 
 private:
   struct Loose
@@ -70,12 +90,14 @@ private:
   std::vector<Edge> edges;
   std::vector<Loose> loose_ends;
   std::vector<Junction> junctions;
+  Circuit elements;
   unsigned int n_nodes;
-  double now = 0., entered = 0.;
+  double now = 0., entered = 0., clock_ahead = 0.;
   unsigned int steps = 0;
 
   const Loose &loose_end(unsigned int node) const;
   void step(double length);
+  void step_vessels(double length);
   /// The implicit stage of vessels with a memory.
   void solve_memory(bool at_end_of_step, double length);
   void solve_nodes(bool at_end_of_step, double length);

@@ -1,6 +1,7 @@
 #ifndef continua_network_network_parameters_h
 #define continua_network_network_parameters_h
 
+#include <continua/network/element_entries.h>
 #include <continua/network/flow_law.h>
 #include <continua/network/network.h>
 #include <continua/network/terminal_entries.h>
@@ -24,9 +25,9 @@ struct NetworkParameters
   /// A place where values are recorded.
   struct Station
   {
-    std::string name, vessel;
-    double position = 0.; ///< from the start of the vessel [m]
-    unsigned int vessel_number = 0;
+    std::string name, vessel, element; ///< one of the two
+    double position = 0.;              ///< from the start of the vessel [m]
+    unsigned int number = 0;           ///< of the vessel or the element
   };
   FlowLaw liquid;
   WallRelaxation relaxation; ///< of vessels without a Material
@@ -38,15 +39,18 @@ struct NetworkParameters
   double cell_length = 0.005;     ///< at most [m]
   unsigned int fewest_cells = 4;  ///< of a vessel
   double courant_number = 0.8;    ///< [1]
+  double time_step = 0.;          ///< at most [s]; 0: by itself
   double period = 0.;             ///< of a beat [s]; 0: no beats
   unsigned int most_beats = 30;
+  bool by_newton = false;      ///< whether Newton's method finds the periodic state
   double tolerance = 1e-3;     ///< of the periodic state [1]
   double end_time = 0.;        ///< [s], without beats
   double output_interval = 0.; ///< [s]
   std::vector<VesselEntries> vessels;
+  std::vector<ElementEntries> elements;
   std::vector<TerminalEntries> terminals;
   std::vector<Station> stations;
-  std::vector<std::string> nodes; ///< in the order in which the vessels name them
+  std::vector<std::string> nodes; ///< in the order in which vessels and elements name them
   /// Loose ends at which a body stands; to be set before check(). The steps and times of such a
   /// network are those of the run of the body.
   std::vector<std::string> nodes_at_body;
@@ -74,6 +78,11 @@ struct NetworkParameters
   /// The same, with the flow rates into the network [m^3/s], of time [s], at its nodes at a body.
   Network make(const std::vector<std::function<double(double)>> &inflows_of_body) const;
   unsigned int node(const std::string &name) const; ///< its number; nodes.size(): there is none
+  bool has_element(const std::string &node) const;  ///< whether one stands at the node
+  /// The elements, in the order of `elements`, and behind them what terminals at their nodes are
+  /// made of. After check().
+  Circuit::Description circuit() const;
+  double largest_step() const; ///< [s], beside that of the waves
   unsigned int n_cells(const VesselEntries &vessel) const;
   /// Of the records in a beat, or in the run.
   unsigned int n_intervals() const;
@@ -90,6 +99,12 @@ private:
                        ParameterSection materials,
                        const std::vector<std::string> &of_body) const;
   void check_ends();
+  void check_elements() const;
+  void check_node_of_element(const ElementEntries &element,
+                             const std::string &key,
+                             const std::string &name) const;
+  static void check_terminal_at_element(const TerminalEntries &terminal, bool has_store);
+  void check_pressures() const;
   void set_heights();
   void check_stations(ParameterSection &section);
   void check_times(const ParameterSection &section);

@@ -36,6 +36,8 @@ public:
   template <typename Number>
   void value(Number &member)
   {
+    if (direction == Direction::take)
+      places_of_flags.push_back(numbers.size());
     double copy = static_cast<double>(member);
     value(copy);
     member = static_cast<Number>(copy);
@@ -45,10 +47,13 @@ public:
     for (double &member : members)
       value(member);
   }
+  /// The places of flags and counts in the row that was taken.
+  const std::vector<std::size_t> &flags() const { return places_of_flags; }
 
 private:
   Direction direction;
   std::vector<double> &numbers;
+  std::vector<std::size_t> places_of_flags;
   std::size_t next = 0;
 };
 } // namespace Continua

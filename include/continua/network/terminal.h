@@ -65,12 +65,16 @@ public:
   LinearLaw linear_law(bool at_end_of_step, double time, double step) const;
   /// The end of the vessel.
   const EndWave &end() const { return wave; }
-  /// After the second stage.
-  void end_step();
+  /// After the second stage of a step from `time` over `step` [s].
+  void end_step(double time, double step);
+  const Heart &chamber() const { return heart; } ///< of a heart
+  double energy() const;                         ///< of a compliance [J]
   /// On the end, in the last stage [Pa].
   double pressure() const { return pressure_of_stage; }
   /// Hands over what a step changes.
   void visit(StateNumbers &numbers);
+  /// The same for what only counts since the start.
+  void visit_sums(StateNumbers &numbers) { heart.visit_sums(numbers); }
 
 private:
   EndWave wave;

@@ -85,6 +85,9 @@ public:
   const std::vector<double> &flows() const { return flow; }
   /// Volume of the liquid [m^3].
   double volume() const;
+  /// Kinetic energy of the liquid, of the mean velocity, its energy of height, and that of the wall
+  /// law from the area A0 on [J].
+  double energy() const;
   /// The pressure [Pa], flow rate [m^3/s], area [m^2] and shear stress on the wall, positive
   /// towards the end [Pa], at z [m], linear between the centres of the cells and the ends. What the
   /// friction remembers is in a cell alike everywhere, and is that of the middle of the last step:
@@ -173,6 +176,8 @@ protected:
   /// [Pa] at the centre of a cell.
   virtual double pressure_at_centre(unsigned int cell, double area) const = 0;
   virtual double stiffness_at_face(unsigned int face, double area) const = 0; ///< [Pa/m^2]
+  /// The integral of the pressure of the wall law over the area, from A0 on [J/m].
+  virtual double wall_energy(unsigned int cell, double area) const = 0;
 
 private:
   EndStates ends[2];

@@ -3,6 +3,7 @@
 
 #include <continua/network/network.h>
 #include <continua/network/network_parameters.h>
+#include <continua/network/network_stations.h>
 #include <continua/postprocess/record.h>
 #include <continua/postprocess/run_table.h>
 
@@ -38,9 +39,10 @@ public:
 private:
   RunTable run_table;
   std::shared_ptr<const NetworkParameters> parameters;
+  NetworkStations stations;
   double volume_at_start = 0.;           ///< [m^3]
   double largest_difference = 0.;        ///< volume - volume at the start - inflow [m^3]
-  std::vector<double> largest, smallest; ///< by station and field
+  std::vector<double> largest, smallest; ///< by NetworkStations::columns()
   std::vector<double> row;
 
   std::vector<std::string> header() const;
