@@ -72,7 +72,7 @@ void check_filling()
   {
     chamber.take(false, i * step, step, 0.);
     chamber.take(true, i * step, step, 0.);
-    chamber.end_step();
+    chamber.end_step(i * step, step);
   }
   const double full = pressure / elastance,
                exact = 1e-5 + full + (2e-6 - full) * std::exp(-0.06 / time);

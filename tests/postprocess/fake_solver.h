@@ -42,6 +42,8 @@ public:
   void initialise() override {}
   Continua::StepReport advance(const Continua::Step &) override { return {}; }
   void solve_steady(double) override {}
+  void begin_averages() override {}
+  void add_to_averages(double) override {}
   bool steady_is_direct() const override { return true; }
   bool data_jump(double, double) const override { return false; }
 
