@@ -43,7 +43,8 @@ void check_loads_of_state(const Case<dim> &input, ParameterSection root, const s
   ParameterSection steady = root.subsection("Steady");
   if (steady.given("Time of loads"))
     steady.refuse("Time of loads",
-                  "the loads of the state about which the motion is small do not depend on time",
+                  "the state about which the motion is small is that under the loads, or under "
+                  "their mean, at no time of theirs",
                   "Remove the entry");
 }
 } // namespace

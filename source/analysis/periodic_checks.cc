@@ -17,11 +17,19 @@ namespace
 template <int dim>
 void check_compared_columns(const Case<dim> &input, ParameterSection root)
 {
+  bool is_any_meant = false;
   for (const ProbeColumnName &column :
        input.probes.expected_columns(field_names<dim>(input.problem)))
     for (const std::string &text : input.periodic_state.probes)
-      if (column.is_meant_by(text) && is_linear_in_motion(column.field))
-        return;
+      if (column.is_meant_by(text))
+      {
+        if (is_linear_in_motion(column.field))
+          return;
+        is_any_meant = true;
+      }
+  // A name that no probe has is refused by check_compared_probes().
+  if (!is_any_meant)
+    return;
   root.subsection("Periodic state")
       .refuse("Probes",
               "none of these fields is linear in the motion, so that they do not tell how many "
@@ -38,15 +46,21 @@ void check_following_forces(const Case<dim> &input, ParameterSection root)
   const bool has_liquid =
       std::any_of(problem.materials.begin(), problem.materials.end(),
                   [](const Material &material) { return !material.is_solid(); });
+  // Where one component depends on the place, all of them are forces of the present place.
+  bool is_in_time = false, is_of_place = false;
   for (const std::vector<Waveform> *const force :
        {&problem.interior.body_force, &problem.interior.acceleration})
     for (const Waveform &component : *force)
-      if (component.depends_on_time() && (has_liquid || component.depends_on_space()))
-        root.subsection("Body force")
-            .refuse("",
-                    "about a state in finite deformation a body force in time is possible in "
-                    "solids alone, and the same at all places",
-                    std::string("Give its mean, or ") + remedy_of_harmonic);
+    {
+      is_in_time = is_in_time || component.depends_on_time();
+      is_of_place = is_of_place || component.depends_on_space();
+    }
+  if (is_in_time && (has_liquid || is_of_place))
+    root.subsection("Body force")
+        .refuse("",
+                "about a state in finite deformation a body force in time is possible in "
+                "solids alone, and the same at all places",
+                std::string("Give its mean, or ") + remedy_of_harmonic);
 }
 } // namespace
 

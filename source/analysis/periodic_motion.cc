@@ -11,7 +11,7 @@ void PeriodicMotion<dim>::show(const double time)
 {
   for (std::size_t k = 0; k < harmonics.size(); ++k)
     harmonics[k].factor = std::polar(1., 2. * dealii::numbers::PI * (k + 1.) * time / period);
-  // All of them lie behind each other while they are shown.
+  // show_sum() takes one list: the mean stands behind the harmonics meanwhile.
   const std::size_t n_harmonics = harmonics.size();
   harmonics.insert(harmonics.end(), mean.begin(), mean.end());
   system.show_sum(harmonics);

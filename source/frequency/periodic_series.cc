@@ -63,7 +63,7 @@ void PeriodicSeries::measure(const PeriodicSeriesOptions &options)
 {
   const std::size_t end = amplitudes.size(), begin_of_last = end - std::max(1u, n_harmonics() / 3),
                     n_times = options.n_times;
-  // All harmonics at all times have these phases: of as many sines as that were most of the work.
+  // All harmonics at all times have one of these phases: a sine for each would be most of the work.
   std::vector<Complex> phases;
   for (std::size_t j = 0; j < n_times; ++j)
     phases.push_back(std::polar(1., 2. * M_PI * j / n_times));

@@ -74,7 +74,7 @@ void OutputParameters::read(ParameterSection section)
   section.add(
       "Averages from", wall_shear_window.begin, time,
       "Start of the time over which the wall shear stress is averaged, for fields and probes "
-      "[s]",
+      "[s]. A periodic response has the average over its period, whatever is given",
       range);
   section.add("Averages to", wall_shear_window.end, time,
               "End of this time [s]; infinite: the end of the run", Range::positive());
