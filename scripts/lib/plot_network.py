@@ -1,7 +1,9 @@
 """The drawing of a network (network-vessels.csv, network-elements.csv): vessels from node to node, as long and as wide as they are, and
 elements without a length as signs; and the pressure over the volume of each chamber of a heart (probes.csv)."""
 
+import math
 import os
+import textwrap
 
 import numpy
 import plot_style
@@ -9,8 +11,10 @@ import tables
 
 COLUMNS = ("from node", "to node", "length", "radius at start", "radius at end")
 WIDEST = 7.0  # points, of the widest vessel
-SIGNS = {"resistance": "s", "valve": ">", "compliance": "D", "chamber": "o"}
-SHARE_OF_ELEMENT = 0.08  # of the drawing's width, between the nodes of an element
+SIGNS = {"resistance": "s", "compliance": "D", "chamber": "o"}  # of a valve: a triangle that points along the flow
+LENGTH_OF_ELEMENT = 0.4  # of the mean length of a vessel, between the nodes of an element
+LETTER, LINE = 0.066, 0.14  # inches, of a caption
+MOST_NAMES = 12  # of vessels and elements that are drawn with their names
 
 
 def read(run):
@@ -34,7 +38,7 @@ def read(run):
 def places(vessels, elements):
     """(distance from the first node along the vessels, row) of each node. Branches share the rows of the loose ends behind them."""
     ways = {}
-    of_element = SHARE_OF_ELEMENT * sum(vessel[2] for vessel in vessels) / max(1, len(vessels)) * 5 if vessels else 1.0
+    of_element = LENGTH_OF_ELEMENT * sum(vessel[2] for vessel in vessels) / len(vessels) if vessels else 1.0
     for start, end, length in [vessel[:3] for vessel in vessels] + [(start, end, of_element) for _, _, start, end in elements]:
         ways.setdefault(start, []).append((end, length))
         ways.setdefault(end, []).append((start, length))
@@ -111,9 +115,15 @@ def draw_loops(sheet, runs):
         sheet.save_data(name, header, kept)
 
 
+def draw_sign(axes, start, end, marker, size):
+    axes.plot((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, marker=marker, color=plot_style.COLOURS[2], markersize=size,
+              markerfacecolor="white", zorder=3)
+
+
 def draw_network(sheet, names, nodes, vessels, elements):
     where, n_rows = places(vessels, elements)
-    figure, axes = sheet.figure(min(0.2 + 0.025 * n_rows, 0.85))
+    room = (0.9 + 0.25 * n_rows) / sheet.width if len(vessels) + len(elements) <= MOST_NAMES else 0  # for the names
+    figure, axes = sheet.figure(max(min(0.2 + 0.025 * n_rows, 0.85), room))
     widest = max((max(vessel[3:5]) for vessel in vessels), default=1.0)
     for number, (start, end, _, radius, radius_at_end) in enumerate(vessels):
         (x, y), (x_end, y_end) = where[start], where[end]
@@ -123,23 +133,32 @@ def draw_network(sheet, names, nodes, vessels, elements):
             width = radius + (a + b) / 2 * (radius_at_end - radius)
             axes.plot([x + a * (x_end - x), x + b * (x_end - x)], [y + a * (y_end - y), y + b * (y_end - y)],
                       color=plot_style.COLOURS[0], linewidth=max(WIDEST * width / widest, 0.6), solid_capstyle="round")  # without gaps between the pieces
-        if number < len(names) and len(vessels) <= 12:
+        if number < len(names) and len(vessels) <= MOST_NAMES:
             axes.annotate(names[number], ((x + x_end) / 2, (y + y_end) / 2), xytext=(0, 5), textcoords="offset points", ha="center", fontsize=7)
     axes.plot([x for x, _ in where.values()], [y for _, y in where.values()], "o", color=plot_style.COLOURS[1], markersize=2.5)
+    named, valves = set(), []
     for name, kind, start, end in elements:
         (x, y), (x_end, y_end) = where[start], where[end]
         if start != end:
             axes.plot([x, x_end], [y, y_end], color=plot_style.COLOURS[2], linewidth=0.8)
-        axes.plot((x + x_end) / 2, (y + y_end) / 2, SIGNS[kind], color=plot_style.COLOURS[2], markersize=6 if start != end else 9,
-                  markerfacecolor="white")
-        if len(vessels) + len(elements) <= 12:
+        if kind == "valve":
+            valves.append((where[start], where[end]))
+        else:
+            draw_sign(axes, where[start], where[end], SIGNS[kind], 6 if start != end else 9)
+        if len(vessels) + len(elements) <= MOST_NAMES:
             axes.annotate(name, ((x + x_end) / 2, (y + y_end) / 2), xytext=(0, 8), textcoords="offset points", ha="center", fontsize=7)
-    if len(vessels) <= 12:
+            named.add((name, start if start == end else None))
+    if len(vessels) <= MOST_NAMES:
         for node, (x, y) in where.items():
-            if node < len(nodes):
+            if node < len(nodes) and (nodes[node], node) not in named:
                 axes.annotate(nodes[node], (x, y), xytext=(0, -9), textcoords="offset points", ha="center", fontsize=6.5)
-    signs = "; signs of elements: square resistance, triangle valve, diamond compliance, circle chamber" if elements else ""
-    axes.set_title(f"Width of a line: radius of the vessel, not to scale; dots: junctions and ends{signs}", fontsize=8 if not signs else 7, loc="left")
+    parts = (["width of a line: radius of the vessel, not to scale"] if vessels else []) + ["dots: junctions and ends"]
+    if elements:
+        parts.append("signs of elements: square resistance, triangle valve, diamond compliance, circle chamber")
+    caption = "; ".join(parts)
+    lines = textwrap.wrap(caption[0].upper() + caption[1:], int((sheet.width - 0.2) / LETTER))
+    figure.set_size_inches(sheet.width, figure.get_size_inches()[1] + LINE * (len(lines) - 1))
+    axes.set_title("\n".join(lines), fontsize=8, loc="left")
     axes.spines["left"].set_visible(False)
     axes.set_xlabel("Distance along the vessels [m]" if vessels else "Elements without a length")
     if not vessels:
@@ -147,6 +166,11 @@ def draw_network(sheet, names, nodes, vessels, elements):
     axes.set_yticks([])
     axes.margins(x=0.06, y=0.4 if n_rows < 5 else 0.03)
     axes.invert_yaxis()
+    if valves:
+        figure.canvas.draw()  # the places on the paper are known
+    for start, end in valves:
+        (x, y), (x_end, y_end) = axes.transData.transform([start, end])
+        draw_sign(axes, start, end, (3, 0, math.degrees(math.atan2(y_end - y, x_end - x)) - 90), 7)
     sheet.save(figure, "network")
     if vessels:
         sheet.save_data("network", ["vessel [1]", "from node [1]", "to node [1]", "length [m]", "radius at start [m]", "radius at end [m]"],

@@ -131,18 +131,23 @@ bool NonlinearWaveTheory::search(const Network &network,
                                  Log &log,
                                  Records &records) const
 {
-  const double residual = period.residual();
-  if (beat == 1 || (period.n_iterations() > 0 && residual <= parameters.tolerance))
+  if (beat == 1)
     return false;
+  const std::string text = "Newton's method after the beat " + std::to_string(beat) +
+                           ": what the beat has changed is " + six_digits(records.residual) +
+                           " of the ranges; ";
+  if (period.n_iterations() > 0 && records.residual <= parameters.tolerance)
+  {
+    log.detail(text + "the state stays");
+    return false;
+  }
   const unsigned int n_before = period.n_periods();
   const double volume_before = network.volume();
   const bool moved = period.move();
   records.moved_volume += network.volume() - volume_before;
   records.n_iterations = period.n_iterations();
   records.n_search_beats = period.n_periods();
-  log.detail("Newton's method after the beat " + std::to_string(beat) +
-             ": what the beat has changed is " + six_digits(residual) + " of the ranges; " +
-             std::to_string(period.n_periods() - n_before) + " beats more" +
+  log.detail(text + std::to_string(period.n_periods() - n_before) + " beats more" +
              (moved ? "" : ", and the state stays"));
   return moved;
 }
@@ -179,6 +184,8 @@ void NonlinearWaveTheory::run(Network &network,
                    network.n_steps());
     }
     records.n_beats = beat;
+    if (parameters.by_newton)
+      records.residual = period.residual();
     log.detail("processor time of " + std::string(has_beats ? "the beat: " : "the run: ") +
                six_digits(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC) + " s");
     if (has_beats && beat > 1)
@@ -189,9 +196,12 @@ void NonlinearWaveTheory::run(Network &network,
         records.difference = std::fmax(
             records.difference,
             difference_of_beat(records.times, records.histories[column], n_intervals, beat));
-      // With Newton's method the beat before must have been the start of this one, and an iterate.
-      if (records.difference <= parameters.tolerance &&
-          (!parameters.by_newton || (period.n_iterations() > 0 && !has_moved)))
+      // With Newton's method there must be an iterate, the end of the beat before must have been
+      // the start of this one, and this one must have left the state as it was.
+      records.is_periodic = records.difference <= parameters.tolerance &&
+                            (!parameters.by_newton || (period.n_iterations() > 0 && !has_moved &&
+                                                       records.residual <= parameters.tolerance));
+      if (records.is_periodic)
         break;
     }
     has_moved = parameters.by_newton && beat < parameters.most_beats &&
@@ -203,7 +213,7 @@ void NonlinearWaveTheory::run(Network &network,
   const std::string text = "The beat " + std::to_string(records.n_beats) +
                            " differs from the one before by " + six_digits(records.difference) +
                            " of the range of a pressure.";
-  // With Newton's method it is round-off.
+  // With Newton's method it may be round-off, which differs from machine to machine.
   parameters.by_newton ? log.detail(text) : log.line(text);
 }
 
@@ -376,11 +386,17 @@ void NonlinearWaveTheory::compute(const OutputDirectory &directory, Log &log, Su
                scale = std::fmax(std::abs(volume), std::abs(volume_at_start)),
                error = volume - volume_at_start - network.inflow() - records.moved_volume;
   summary.add({"largest error of the volume", scale > 0. ? std::abs(error) / scale : 0., "1", ""});
-  const bool is_periodic = parameters.period == 0. || records.difference <= parameters.tolerance;
+  const bool is_periodic = parameters.period == 0. || records.is_periodic;
   const std::string failure =
       "after " + std::to_string(records.n_beats) +
       " beats there is no periodic state to the tolerance of " + six_digits(parameters.tolerance) +
       ": the last beat differs by " + six_digits(records.difference) +
+      (parameters.by_newton
+           ? " and has changed the state by " + six_digits(records.residual) + " of its ranges, " +
+                 (records.n_iterations == 0 ? "and Newton's method has made no iterate"
+                                            : "after " + std::to_string(records.n_iterations) +
+                                                  " iterations of Newton's method")
+           : "") +
       ". Raise Network/Most beats or Network/Tolerance, or look for what never repeats itself";
   summary.set("status", is_periodic ? "finished" : "failed");
   if (!is_periodic)

@@ -13,7 +13,8 @@ namespace
 constexpr unsigned int most_iterations = 50;
 /// Of the largest pressure; the error after the last correction is about the square of it.
 constexpr double tolerance_of_pressure = 1e-10;
-/// Of A dp/dA of a vessel, as which a smaller pressure counts there: round-off of the area is more.
+/// Of A dp/dA of a vessel, or of what a chamber or a compliance has with its whole volume, as which
+/// a smaller pressure counts: round-off of the area or of the volume is more.
 constexpr double least_pressure = 1e-3;
 /// What a closed valve lets through, of what it lets through where it is open: so that nodes
 /// between closed valves have a pressure.
@@ -192,6 +193,16 @@ void Circuit::solve(const double time, const double share)
     areas[i] = wave.inside().area;
     pressure_scale = std::fmax(pressure_scale, least_pressure * areas[i] *
                                                    wave.of().stiffness(wave.at(), areas[i]));
+  }
+  for (const Element &element : elements)
+  {
+    const ElementLaw &law = element.law;
+    if (law.type == ElementLaw::Type::chamber)
+      pressure_scale = std::fmax(
+          pressure_scale, least_pressure * law.elastance(time) *
+                              std::fmax(std::abs(law.unloaded_volume), std::abs(element.known)));
+    else if (law.type == ElementLaw::Type::compliance)
+      pressure_scale = std::fmax(pressure_scale, least_pressure * std::abs(law.outside_pressure));
   }
   std::fill(is_given.begin(), is_given.end(), 0);
   for (const Element &element : elements)

@@ -243,7 +243,13 @@ void NetworkParameters::check_stations(ParameterSection &section)
   }
   for (const TerminalEntries &terminal : terminals)
     if (terminal.law.type == TerminalLaw::Type::heart)
+    {
+      if (std::find(chambers.begin(), chambers.end(), terminal.node) != chambers.end())
+        terminal.refuse("a chamber among the elements has the name of this node, under which the "
+                        "chamber of the heart is recorded",
+                        "Rename the element");
       chambers.push_back(terminal.node);
+    }
   if (stations.empty() && chambers.empty() && nodes_at_body.empty())
     section.refuse_missing("the network has no station where values are recorded",
                            "Write a section 'Stations' with a subsection for each station");
@@ -293,6 +299,11 @@ void NetworkParameters::check_times(const ParameterSection &section)
     section.refuse("Output interval",
                    "probes.csv would have more than ten million rows in " +
                        shortest_number(duration) + " s",
+                   "Give a longer one");
+  if (time_step > 0. && duration / time_step > most_intervals)
+    section.refuse("Time step",
+                   "there would be more than ten million steps in " + shortest_number(duration) +
+                       " s",
                    "Give a longer one");
   for (const TerminalEntries &terminal : terminals)
     if (terminal.period > 0. && period > 0. && std::abs(terminal.period - period) > 1e-6 * period)

@@ -200,8 +200,8 @@ void NetworkParameters::check_pressures() const
   for (const ElementEntries &element : elements)
     if (element.law.name == name)
       element.refuse("", "nothing gives the pressure of one of its nodes at the start",
-                     "Give one element both inertances, or the node a compliance, a resistance "
-                     "without inertance to a node that has a pressure, or a terminal with a "
-                     "pressure");
+                     "Make one element of those that meet there, with the sum of their "
+                     "inertances, or give the node a compliance, a resistance without inertance "
+                     "to a node that has a pressure, or a terminal with a pressure");
 }
 } // namespace Continua

@@ -225,9 +225,9 @@ void Terminal::end_step(const double time, const double step)
 
 double Terminal::energy() const
 {
-  const double pressure = compliance_pressure - law.pressure_behind;
-  return law.type == TerminalLaw::Type::windkessel ? 0.5 * law.compliance * pressure * pressure
-                                                   : 0.;
+  return law.type == TerminalLaw::Type::windkessel
+             ? 0.5 * law.compliance * compliance_pressure * compliance_pressure
+             : 0.;
 }
 
 void Terminal::visit(StateNumbers &numbers)

@@ -223,6 +223,14 @@ void work()
                   1e-5);
   check::relative("a chamber that empties: work", values.work,
                   0.5 * 1e8 * 1e-8 * (1. - std::exp(-2.)), 1e-5);
+  // Forty time constants: what is left of the pressure is less than the round-off of the volume.
+  circuit.elements = {chamber, between(Type::resistance, 0, 1, 2e7)};
+  circuit.pressures.pop_back();
+  Network network_at_last({}, {2, TerminalLaw()}, circuit);
+  network_at_last.start_at_rest(0.);
+  network_at_last.advance(8., 1., 1e-2);
+  check::absolute("a chamber that empties: at last", network_at_last.circuit().values(0).pressure,
+                  0., 1e-6);
 }
 
 void without_pressure()

@@ -36,7 +36,9 @@ private:
     unsigned int n_beats = 0;                   ///< that are complete; a run without beats is one
     unsigned int n_iterations = 0, n_search_beats = 0; ///< of Newton's method, beside these beats
     double moved_volume = 0.;                          ///< by these iterations [m^3]
-    double difference = 0.; ///< of the last beat from the one before, of pressures [1]
+    double difference = 0.;   ///< of the last beat from the one before, of pressures [1]
+    double residual = 0.;     ///< Newton's method: what the last beat has changed [1]
+    bool is_periodic = false; ///< the run has ended by these
   };
   NetworkParameters parameters;
   std::unique_ptr<const NetworkStations> stations;
