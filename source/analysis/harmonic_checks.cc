@@ -18,7 +18,7 @@ bool is_in_time(const BoundaryCondition &condition)
          (condition.outlet && condition.outlet->pressure_behind.depends_on_time());
 }
 
-/// Of the materials, outlets and steps to rest of such a body. Throws InputError.
+/// Of the materials, outlets and steps to a steady state of such a body. Throws InputError.
 template <int dim>
 void check_loads_of_state(const Case<dim> &input, ParameterSection root, const std::string &remedy)
 {

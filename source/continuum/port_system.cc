@@ -22,7 +22,6 @@ void PortSystem::set_responses(const std::vector<double> &by_row)
 
 void PortSystem::set_impedances(const FullMatrix<double> &of_models)
 {
-  is_current = true;
   impedances = of_models;
   const unsigned int n = size();
   for (unsigned int i = 0; i < n; ++i)
@@ -39,6 +38,7 @@ void PortSystem::set_impedances(const FullMatrix<double> &of_models)
       inputs_of_rhs(i, j) = sum;
     }
   inputs_of_rhs.gauss_jordan();
+  is_current = true;
 }
 
 const Vector<double> &PortSystem::solve_for_inputs(const Vector<double> &outputs)

@@ -38,9 +38,9 @@ double SteadyChange::operator()(const Step &step,
 {
   // What round-off leaves of a region that nothing loads is no change.
   constexpr double least_share = 1e-5;
-  if (!have_same_layout(forces, velocity))
-    for (DistributedVector *vector : {&change_of_velocity, &forces, &inertia})
-      vector->reinit(velocity);
+  // The mesh may have changed, which one rank alone does not know.
+  for (DistributedVector *vector : {&change_of_velocity, &forces, &inertia})
+    vector->reinit(velocity);
   const std::vector<std::vector<unsigned int>> nodes = operators.velocity_nodes();
   const double displacement_by_velocity = BranchHistory::step_displacement(step);
   const std::size_t n = problem.materials.size();

@@ -7,9 +7,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <sstream>
 
 namespace Continua

@@ -87,7 +87,7 @@ UNIT_TEST(rule)
   check::is_true("the rules of the program", tube.is_let_through(rules()));
   check::is_true("no rule", tube.is_let_through({}));
 
-  // Both are on: of a region, of the whole input, of a boundary.
+  // Both are on: of a region, of the whole input.
   const std::string liquid = tube.place("subsection fluid", "set Type", "Materials/fluid/Type");
   const std::string answer = tube.answer({rule({"liquid"}, {"small deformation"})});
   check::is_true("both are on: place and sentence",

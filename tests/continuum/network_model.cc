@@ -1,6 +1,7 @@
 // The network at ends of a body by itself: the impedance of a tube that goes on, a short vessel
 // before a windkessel against that windkessel, the common pressure and flow rate with a body that
-// is a resistance, volume, a state that is given back, parts of a section, and the way to rest.
+// is a resistance, volume, a state that is given back, parts of a section, and the way to a steady
+// state.
 
 #include <continua/base/input_error.h>
 #include <continua/continuum/network_model.h>

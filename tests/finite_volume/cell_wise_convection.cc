@@ -14,7 +14,7 @@
 #include <cmath>
 #include <map>
 
-namespace test_of_cell_convection
+namespace test_of_cell_wise_convection
 {
 namespace
 {
@@ -408,7 +408,7 @@ void check_power(const Model model)
 }
 } // namespace
 
-UNIT_TEST(cell_convection)
+UNIT_TEST(cell_wise_convection)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -426,4 +426,4 @@ UNIT_TEST(cell_convection)
   check_power<2>(Model::plane_strain);
   check_power<3>(Model::three_dimensional);
 }
-} // namespace test_of_cell_convection
+} // namespace test_of_cell_wise_convection

@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-namespace test_of_cell_evaluation
+namespace test_of_cell_wise_evaluation
 {
 using namespace cell_wise_meshes;
 using dealii::Point;
@@ -336,7 +336,7 @@ void test_order(const bool axisymmetric)
 }
 } // namespace
 
-UNIT_TEST(cell_evaluation)
+UNIT_TEST(cell_wise_evaluation)
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -349,4 +349,4 @@ UNIT_TEST(cell_evaluation)
   test_order(false);
   test_order(true);
 }
-} // namespace test_of_cell_evaluation
+} // namespace test_of_cell_wise_evaluation

@@ -7,7 +7,7 @@
 
 #include "../unit_test.h"
 
-namespace test_of_cell_initial_state
+namespace test_of_cell_wise_initial_state
 {
 namespace
 {
@@ -76,11 +76,11 @@ void test()
 }
 } // namespace
 
-UNIT_TEST(cell_initial_state)
+UNIT_TEST(cell_wise_initial_state)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
   test<2>();
   test<3>();
 }
-} // namespace test_of_cell_initial_state
+} // namespace test_of_cell_wise_initial_state

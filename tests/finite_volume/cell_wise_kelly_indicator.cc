@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_kelly_indicator
+namespace test_of_cell_wise_kelly_indicator
 {
 using namespace cell_wise_meshes;
 using dealii::Point;
@@ -80,11 +80,11 @@ void test()
 }
 } // namespace
 
-UNIT_TEST(cell_kelly_indicator)
+UNIT_TEST(cell_wise_kelly_indicator)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
   test<2>();
   test<3>();
 }
-} // namespace test_of_cell_kelly_indicator
+} // namespace test_of_cell_wise_kelly_indicator

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_ledger
+namespace test_of_cell_wise_ledger
 {
 namespace
 {
@@ -195,7 +195,7 @@ void test(const Model model, const PowerOperator power_operator, const std::stri
 }
 } // namespace
 
-UNIT_TEST(cell_ledger)
+UNIT_TEST(cell_wise_ledger)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -205,4 +205,4 @@ UNIT_TEST(cell_ledger)
   test<2>(Model::axisymmetric, PowerOperator::wide, "wide");
   test<3>(Model::three_dimensional, PowerOperator::scheme, "scheme");
 }
-} // namespace test_of_cell_ledger
+} // namespace test_of_cell_wise_ledger

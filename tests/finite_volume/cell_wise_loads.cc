@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_loads
+namespace test_of_cell_wise_loads
 {
 namespace
 {
@@ -189,7 +189,7 @@ void check_jumps()
 }
 } // namespace
 
-UNIT_TEST(cell_loads)
+UNIT_TEST(cell_wise_loads)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -201,4 +201,4 @@ UNIT_TEST(cell_loads)
   check_pressure<3>(Model::three_dimensional);
   check_jumps();
 }
-} // namespace test_of_cell_loads
+} // namespace test_of_cell_wise_loads

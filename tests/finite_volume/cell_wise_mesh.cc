@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-namespace test_of_cell_mesh
+namespace test_of_cell_wise_mesh
 {
 using namespace cell_wise_meshes;
 namespace
@@ -128,7 +128,7 @@ double largest_skewness(const CellWiseMesh<2> &mesh)
 
 } // namespace
 
-UNIT_TEST(cell_mesh)
+UNIT_TEST(cell_wise_mesh)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -285,4 +285,4 @@ UNIT_TEST(cell_mesh)
     check::absolute("trapezium: volume", sum(volume), pi + 2. * pi / 3. * 0.5, 1e-14);
   }
 }
-} // namespace test_of_cell_mesh
+} // namespace test_of_cell_wise_mesh

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_operators
+namespace test_of_cell_wise_operators
 {
 using namespace cell_wise_meshes;
 
@@ -109,7 +109,7 @@ void check_meshes(const Model model)
 }
 } // namespace
 
-UNIT_TEST(cell_operators)
+UNIT_TEST(cell_wise_operators)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -135,4 +135,4 @@ UNIT_TEST(cell_operators)
       "an incompressible one", [&]() { traction_coefficients(solid, parameters); },
       "no finite longitudinal modulus");
 }
-} // namespace test_of_cell_operators
+} // namespace test_of_cell_wise_operators

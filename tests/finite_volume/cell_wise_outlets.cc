@@ -16,7 +16,7 @@
 #include <cmath>
 #include <memory>
 
-namespace test_of_cell_outlets
+namespace test_of_cell_wise_outlets
 {
 namespace
 {
@@ -161,7 +161,7 @@ void check_step(const std::string &name,
 }
 } // namespace
 
-UNIT_TEST(cell_outlets)
+UNIT_TEST(cell_wise_outlets)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -179,4 +179,4 @@ UNIT_TEST(cell_outlets)
   check_step("windkessel: ", inlet, windkessel, store);
   check_step("windkessel, flow: ", inlet, windkessel + by_flow, store);
 }
-} // namespace test_of_cell_outlets
+} // namespace test_of_cell_wise_outlets

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_output
+namespace test_of_cell_wise_output
 {
 using namespace cell_wise_meshes;
 using dealii::Point;
@@ -97,7 +97,7 @@ void test(const Model model)
 }
 } // namespace
 
-UNIT_TEST(cell_output)
+UNIT_TEST(cell_wise_output)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -105,4 +105,4 @@ UNIT_TEST(cell_output)
   test<2>(Model::axisymmetric);
   test<3>(Model::three_dimensional);
 }
-} // namespace test_of_cell_output
+} // namespace test_of_cell_wise_output

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_system
+namespace test_of_cell_wise_system
 {
 namespace
 {
@@ -220,7 +220,7 @@ void check_numbers(const double mobility)
 }
 } // namespace
 
-UNIT_TEST(cell_system)
+UNIT_TEST(cell_wise_system)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -234,4 +234,4 @@ UNIT_TEST(cell_system)
   check_numbers<2>(0.7);
   check_numbers<3>(0.);
 }
-} // namespace test_of_cell_system
+} // namespace test_of_cell_wise_system

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_traction_jump
+namespace test_of_cell_wise_traction_jump
 {
 using namespace cell_wise_meshes;
 using dealii::Point;
@@ -113,11 +113,11 @@ void test()
 }
 } // namespace
 
-UNIT_TEST(cell_traction_jump)
+UNIT_TEST(cell_wise_traction_jump)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
   test<2>();
   test<3>();
 }
-} // namespace test_of_cell_traction_jump
+} // namespace test_of_cell_wise_traction_jump

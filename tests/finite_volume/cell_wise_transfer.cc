@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_transfer
+namespace test_of_cell_wise_transfer
 {
 using namespace cell_wise_meshes;
 using dealii::Point;
@@ -243,7 +243,7 @@ void test_held()
 }
 } // namespace
 
-UNIT_TEST(cell_transfer)
+UNIT_TEST(cell_wise_transfer)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -272,4 +272,4 @@ UNIT_TEST(cell_transfer)
   test_axisymmetric();
   test_held();
 }
-} // namespace test_of_cell_transfer
+} // namespace test_of_cell_wise_transfer

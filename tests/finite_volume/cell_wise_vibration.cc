@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace test_of_cell_vibration
+namespace test_of_cell_wise_vibration
 {
 namespace
 {
@@ -131,7 +131,7 @@ void test(const Model model)
 }
 } // namespace
 
-UNIT_TEST(cell_vibration)
+UNIT_TEST(cell_wise_vibration)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   quiet_other_ranks();
@@ -139,4 +139,4 @@ UNIT_TEST(cell_vibration)
   test<2>(Model::axisymmetric);
   test<3>(Model::three_dimensional);
 }
-} // namespace test_of_cell_vibration
+} // namespace test_of_cell_wise_vibration

@@ -16,7 +16,7 @@ namespace
 {
 constexpr std::size_t word = sizeof(std::uint64_t);
 
-/// As the writer computes it; see empty_archive().
+/// As the writer computes it; see beginning().
 std::string checksum(const std::string &bytes)
 {
   std::uint64_t state = 0xcbf29ce484222325ULL ^ bytes.size();

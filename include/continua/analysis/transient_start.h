@@ -19,14 +19,14 @@ public:
   void start();
   /// What linear theory says of a run with fluid and solid, and the numbers of a flow.
   void report_preflight();
-  /// On several ranks: how the run is ended with a checkpoint.
-  void report_how_to_stop();
 
 private:
   TransientProgress<dim> &so_far;
   Run<dim> &run;
 
   void report_tables();
+  /// On several ranks: how the run is ended with a checkpoint.
+  void report_how_to_stop();
   /// Finds the steady state that the file asks for at t = 0, under the loads there or their mean.
   void start_steady_under_loads();
   /// Changes the mesh before the first step, as often as the file asks.

@@ -15,7 +15,7 @@ struct Case;
 enum class Motion
 {
   in_time,   ///< it moves from its initial state until an end time: section Time
-  steady,    ///< it has come to rest under its loads: section Steady
+  steady,    ///< it does not change any more under its loads: section Steady
   vibrating, ///< it vibrates freely: section Modal
   harmonic   ///< it moves with exp(s t) under loads that do: sections of the analysis
 };

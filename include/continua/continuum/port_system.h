@@ -15,13 +15,13 @@ namespace Continua
  *
  *   [ I_p + I_Q H - Z (I_Q + I_p H) ] s = p_plus + (Z I_p - I_Q) o0,
  *
- * with I_p, I_Q ones at the ports of either kind. The matrix is inverted when it is first asked for
- * after H or Z have changed.
+ * with I_p, I_Q ones at the ports of either kind. set_impedances() inverts the matrix; it need not
+ * be called again while has_inverse() holds.
  */
 class PortSystem
 {
 public:
-  /// `holds_flow`: by port.
+  /// `of_ports`: by port, whether it holds the flow rate.
   void reinit(const std::vector<bool> &of_ports);
   unsigned int size() const { return holds_flow.size(); }
   /// H: by row, for each port's input what the row's port gives back.
@@ -29,6 +29,7 @@ public:
   void set_response(const unsigned int row, const unsigned int column, const double value)
   {
     responses(row, column) = value;
+    is_current = false;
   }
   /// H or Z have changed, or will.
   void forget() { is_current = false; }
@@ -36,10 +37,6 @@ public:
   bool has_inverse() const { return is_current; }
   /// Z; inverts the matrix.
   void set_impedances(const dealii::FullMatrix<double> &of_models);
-  double impedance(const unsigned int row, const unsigned int column) const
-  {
-    return impedances(row, column);
-  }
 
   /// The inputs s for o0 and p_plus.
   const dealii::Vector<double> &solve(const dealii::Vector<double> &outputs,

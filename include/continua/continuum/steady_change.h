@@ -27,7 +27,7 @@ private:
   Operators &operators;
   DistributedVector change_of_velocity, forces, inertia; ///< work space
 
-  /// The largest viscous and inertial force of a velocity in a region on this rank [N].
+  /// The largest viscous and inertial force of a velocity in a region [N]. Collective.
   double force_of(unsigned int region, const Step &step, const DistributedVector &velocity);
 };
 } // namespace Continua

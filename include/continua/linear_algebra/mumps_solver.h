@@ -33,7 +33,7 @@ enum class MumpsSymmetry
 
 /**
  * MUMPS's multifrontal factor on any number of ranks, without iterative refinement: what
- * MumpsFactor, SinglePrecisionFactor, UnsymmetricMumpsFactor and ComplexFactor share. The numbers
+ * MumpsFactor, SinglePrecisionFactor, UnsymmetricMumpsFactor and HarmonicFactors share. The numbers
  * in its messages are MUMPS's INFOG(1) and INFOG(2). MPI must be initialised before, and finalised
  * after, the object lives. Number: double, float or std::complex<double>, whose matrices are
  * symmetric and not Hermitian.

@@ -17,7 +17,7 @@ namespace Continua
  * Names, strings and comments are those of gmsh's own lexer (Parser/Gmsh.l of gmsh 4.8.4), and
  * upper and lower case matter as there. gmsh itself reads what a condition leaves out by other
  * rules than what it executes, so the look alone is no wall: the process that makes the mesh can do
- * none of it, either (see GmshProcess).
+ * none of it, either (see gmsh_process.h).
  */
 void check_gmsh_script(const std::string &geo_file);
 } // namespace Continua

@@ -138,7 +138,7 @@ constexpr NewtonCounts counts_of_step{4.5, 0.02};
 constexpr NewtonCounts counts_of_explicit_step{1., 0.};  ///< by a factor
 constexpr NewtonCounts counts_of_steady_search{30., 9.}; ///< of all steps on the way
 
-/// Of a step, or of the way to rest [s].
+/// Of a step, or of the search for a steady state [s].
 double time_of_newton(const CostInput &input, const SolverCost &cost, const double n_unknowns)
 {
   const bool searches = input.finds_steady_state || input.is_harmonic;
