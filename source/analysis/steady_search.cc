@@ -346,6 +346,10 @@ StepReport SteadySearch<dim>::step_of(const double last_size, double &size)
           text
               << "; a body of these materials may have no shape from which these loads bring it to "
                  "that of the mesh (Unloaded shape)";
+        if (finds_unloaded_shape && run.input.problem.some_mesh_moves())
+          text << "; with liquid inside, the iterative solver needs long steps: set Steady/Time "
+                  "step "
+                  "to 1000 s, or Linear solver/Type = direct";
         throw RunError(text.str());
       }
       run.log.line(text.str() + "; it is made anew at " + (finds_first ? "a quarter of" : "half") +

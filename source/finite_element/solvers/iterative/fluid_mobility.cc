@@ -4,6 +4,7 @@
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include <algorithm>
 
@@ -55,9 +56,19 @@ void add_friction(const Space<dim> &space,
     target.scale(is_fluid);
   };
   IterationNumberControl control(most_iterations, tolerance * load.l2_norm());
-  SolverCG<DistributedVector>(control).solve(
-      FunctionAsMatrix<decltype(multiply)>{multiply}, motion, load,
-      FunctionAsMatrix<decltype(precondition)>{precondition});
+  GrowingVectorMemory<DistributedVector> memory;
+  try
+  {
+    SolverCG<DistributedVector>(control, memory)
+        .solve(FunctionAsMatrix<decltype(multiply)>{multiply}, motion, load,
+               FunctionAsMatrix<decltype(precondition)>{precondition});
+  }
+  catch (const SolverControl::NoConvergence &)
+  {
+    // A product is no number; the iteration around says so. D is then 1/A_ii.
+    motion = 0.;
+  }
+  memory.release_unused_memory(); // the run goes on
 
   for (unsigned int i = 0; i < mobility.locally_owned_size(); ++i)
   {
