@@ -36,6 +36,9 @@ void read_between_nodes(ParameterSection &section, ElementEntries &element)
               "Difference of the pressures over the change of the flow rate per time: density "
               "times length over the section of a rigid tube.",
               Range::not_negative());
+  // Without nodes the entries are only listed.
+  if (element.from.empty() || element.to.empty())
+    return;
   if (element.law.resistance == 0. && element.law.inertance == 0.)
     section.refuse("Resistance", "is zero, and so is the Inertance",
                    "Give one of them, or let both ends be one node");
