@@ -22,7 +22,7 @@ constexpr double leak = 1e-9;
 } // namespace
 
 Circuit::Circuit(const Description &description,
-                 std::vector<std::pair<unsigned int, EndWave>> vessels)
+                 const std::vector<std::pair<unsigned int, EndWave>> &vessels)
 {
   for (const ElementLaw &law : description.elements)
   {

@@ -60,7 +60,8 @@ public:
   };
   Circuit() = default;
   /// `vessels`: ends at nodes of elements.
-  Circuit(const Description &description, std::vector<std::pair<unsigned int, EndWave>> vessels);
+  Circuit(const Description &description,
+          const std::vector<std::pair<unsigned int, EndWave>> &vessels);
 
   bool is_empty() const { return elements.empty(); }
   unsigned int n_elements() const { return elements.size(); }
