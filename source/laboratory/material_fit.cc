@@ -4,6 +4,7 @@
 #include <continua/base/citations.h>
 #include <continua/base/misfit.h>
 #include <continua/base/table_writer.h>
+#include <continua/laboratory/entries_of_a_body.h>
 #include <continua/laboratory/fit_report.h>
 #include <continua/laboratory/material_text.h>
 #include <continua/postprocess/writing_rank.h>
@@ -109,11 +110,8 @@ void warn_of_order(const BarRecord &record, const RecordFit &of_record, Log &log
 MaterialFit::MaterialFit(const AnalysisInput &input) : Analysis(input)
 {
   ParameterSection root = file.root();
-  // The default stands in every file that --print-parameters writes.
-  if (general.model != GeneralParameters().model)
-    root.refuse("Model", "the bar of the tables has its own kinematics", "Remove it");
-  if (general.discretisation != GeneralParameters().discretisation)
-    root.refuse("Discretisation", "a fit of tables has no mesh", "Remove it");
+  refuse_entries_of_a_body(root, general, "the bar of the tables has its own kinematics",
+                           "a fit of tables has no mesh");
   const ParameterSection section = root.subsection("Material fit");
   parameters.read(section);
   expected = read_expected(root.subsection("Expected"));
