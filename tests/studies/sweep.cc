@@ -207,7 +207,7 @@ UNIT_TEST(sweep)
           "Sweep/Expected");
 
   // --sweep makes a sweep of the file's own analysis.
-  std::ofstream(parameter_file) << "set Analysis = modal\n" << bar;
+  std::ofstream(parameter_file) << "set Analysis = modal\n" << pulled_bar;
   CommandLine typed;
   typed.parameter_file = parameter_file;
   typed.sweeps = {"Materials/body/Young's modulus=1 MPa, 2 MPa", "Mesh/Cells 1 = 1 to 2 in 2"};
