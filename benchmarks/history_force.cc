@@ -13,10 +13,7 @@
 #include <continua/finite_element/taylor_hood.h>
 #include <continua/program/analyses.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -201,19 +198,7 @@ void run(const std::string &output, const std::string &source_directory)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (argc != 3)
-  {
-    std::cerr << "usage: " << argv[0] << " OUTPUT SOURCE_DIRECTORY" << std::endl;
-    return 2;
-  }
-  try
-  {
-    Benchmarks::run(argv[1], argv[2]);
-  }
-  catch (const std::exception &error)
-  {
-    std::cerr << "error: " << error.what() << std::endl;
-    return 1;
-  }
+  return Benchmarks::main_of(argc, argv,
+                             [](const std::string &output, const std::string &sources, bool)
+                             { Benchmarks::run(output, sources); });
 }

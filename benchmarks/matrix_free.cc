@@ -15,7 +15,6 @@
 #include <continua/linear_algebra/matrix_product.h>
 #include <continua/program/analyses.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -23,7 +22,6 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <random>
 
@@ -292,19 +290,5 @@ void run(const std::string &output, const std::string &source_directory, const b
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (argc < 3)
-  {
-    std::cerr << "usage: " << argv[0] << " OUTPUT SOURCE_DIRECTORY [--large]" << std::endl;
-    return 2;
-  }
-  try
-  {
-    Benchmarks::run(argv[1], argv[2], argc > 3 && std::string(argv[3]) == "--large");
-  }
-  catch (const std::exception &error)
-  {
-    std::cerr << "error: " << error.what() << std::endl;
-    return 1;
-  }
+  return Benchmarks::main_of(argc, argv, Benchmarks::run, "--large");
 }

@@ -2,6 +2,8 @@
 
 #include <continua/base/version.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -188,5 +190,30 @@ void describe_libraries(Report &report)
               (Continua::revision_is_dirty() ? ", changed" : "") + "), deal.II " +
               libraries.at("deal.II") + ", MUMPS " + libraries.at("MUMPS") + ", CHOLMOD " +
               libraries.at("CHOLMOD"));
+}
+
+int main_of(int argc,
+            char **argv,
+            const std::function<void(const std::string &, const std::string &, bool)> &run,
+            const std::string &option)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const bool has_option = !option.empty() && argc == 4 && argv[3] == option;
+  if (argc != 3 && !has_option)
+  {
+    std::cerr << "usage: " << argv[0] << " OUTPUT SOURCE_DIRECTORY"
+              << (option.empty() ? "" : " [" + option + "]") << std::endl;
+    return 2;
+  }
+  try
+  {
+    run(argv[1], argv[2], has_option);
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "error: " << error.what() << std::endl;
+    return 1;
+  }
+  return 0;
 }
 } // namespace Benchmarks

@@ -67,6 +67,13 @@ private:
 /// process, the version and its libraries.
 void describe_machine(Report &report);
 void describe_libraries(Report &report);
+
+/// The main function of a benchmark of `OUTPUT SOURCE_DIRECTORY`, and of an option if it has one:
+/// MPI, the arguments, errors on the screen. `run`: whether the option is given comes last.
+int main_of(int argc,
+            char **argv,
+            const std::function<void(const std::string &, const std::string &, bool)> &run,
+            const std::string &option = "");
 } // namespace Benchmarks
 
 #endif

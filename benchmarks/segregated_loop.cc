@@ -14,10 +14,7 @@
 #include <continua/finite_volume/cell_wise.h>
 #include <continua/program/analyses.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <iostream>
 #include <stdexcept>
 
 namespace Benchmarks
@@ -98,19 +95,7 @@ void run(const std::string &output, const std::string &source_directory)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (argc != 3)
-  {
-    std::cerr << "usage: " << argv[0] << " OUTPUT SOURCE_DIRECTORY" << std::endl;
-    return 2;
-  }
-  try
-  {
-    Benchmarks::run(argv[1], argv[2]);
-  }
-  catch (const std::exception &error)
-  {
-    std::cerr << "error: " << error.what() << std::endl;
-    return 1;
-  }
+  return Benchmarks::main_of(argc, argv,
+                             [](const std::string &output, const std::string &sources, bool)
+                             { Benchmarks::run(output, sources); });
 }

@@ -15,8 +15,6 @@
 #include <continua/finite_element/taylor_hood.h>
 #include <continua/program/analyses.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <Epetra_CrsMatrix.h>
 
 #include <cmath>
@@ -343,19 +341,5 @@ void run(const std::string &output, const std::string &source_directory, const b
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (argc < 3)
-  {
-    std::cerr << "usage: " << argv[0] << " OUTPUT SOURCE_DIRECTORY [--all-solvers]" << std::endl;
-    return 2;
-  }
-  try
-  {
-    Benchmarks::run(argv[1], argv[2], argc > 3 && std::string(argv[3]) == "--all-solvers");
-  }
-  catch (const std::exception &error)
-  {
-    std::cerr << "error: " << error.what() << std::endl;
-    return 1;
-  }
+  return Benchmarks::main_of(argc, argv, Benchmarks::run, "--all-solvers");
 }

@@ -21,6 +21,7 @@ import render_field
 import vtk
 import wave_tables
 from vtk.util.numpy_support import numpy_to_vtk
+from vtk_part import part_of
 
 N_PLACES = 400  # of a curve along a tube
 N_ANGLES = 16  # of the samples round its axis in space
@@ -185,14 +186,9 @@ def section_means(grid, places, radii):
     polydata, at = vtk.vtkPolyData(), vtk.vtkPoints()
     at.SetData(numpy_to_vtk(sample.reshape(-1, 3), deep=True))
     polydata.SetPoints(at)
-    liquid = vtk.vtkThreshold()
-    liquid.SetInputData(grid)
-    liquid.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
-    liquid.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
-    liquid.SetLowerThreshold(0.5)
     probe = vtk.vtkProbeFilter()
     probe.SetInputData(polydata)
-    probe.SetSourceConnection(liquid.GetOutputPort())
+    probe.SetSourceData(part_of(grid))
     probe.Update()
     data = probe.GetOutput().GetPointData()
     valid = render_field.vtk_to_numpy(data.GetArray(probe.GetValidPointMaskArrayName())).reshape(sample.shape[:3]) > 0

@@ -18,6 +18,7 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import render_streamlines  # noqa: E402
+from vtk_part import part_of  # noqa: E402
 
 
 NOTHING_TO_SEE = 4
@@ -88,13 +89,7 @@ def follow(grid, points, displacement, solid):
     """The liquid's mesh between what moves it: harmonic, equal to the solids' displacement where both meet. On the other ends
     that are plane it slides along them, elsewhere it stays. (Its own displacement is the way of its particles.)"""
     numbers, n_places = as_one(points)
-    filter_of_liquid = vtk.vtkThreshold()
-    filter_of_liquid.SetInputData(grid)
-    filter_of_liquid.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
-    filter_of_liquid.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
-    filter_of_liquid.SetLowerThreshold(0.5)
-    filter_of_liquid.Update()
-    liquid = filter_of_liquid.GetOutput()
+    liquid = part_of(grid)
     own = vtk_to_numpy(liquid.GetPointData().GetArray("number of the point")).astype(int)
     # Along the edges of the cells, by the inverse of their length.
     edges = vtk.vtkExtractEdges()
@@ -222,13 +217,7 @@ def only(grid, regions):
     mark = numpy_to_vtk(shown.astype(float), deep=True)
     mark.SetName("is shown")
     grid.GetPointData().AddArray(mark)
-    choose = vtk.vtkThreshold()
-    choose.SetInputData(grid)
-    choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "is shown")
-    choose.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_UPPER)
-    choose.SetUpperThreshold(0.5)
-    choose.Update()
-    return choose.GetOutput()
+    return part_of(grid, "is shown", above=True)
 
 
 def mesh_lines(grid):
@@ -242,17 +231,10 @@ def mesh_lines(grid):
 def outline_of(grid):
     """The ends of a plane body, and where liquid and solid meet: where colours are near white nothing else shows them."""
     both = vtk.vtkAppendPolyData()
-    for way in (vtk.vtkThreshold.THRESHOLD_LOWER, vtk.vtkThreshold.THRESHOLD_UPPER):
+    for is_solid in (False, True):
         part = grid
         if grid.GetPointData().GetArray("phase") is not None:
-            choose = vtk.vtkThreshold()
-            choose.SetInputData(grid)
-            choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
-            choose.SetThresholdFunction(way)
-            choose.SetLowerThreshold(0.5)
-            choose.SetUpperThreshold(0.5)
-            choose.Update()
-            part = choose.GetOutput()
+            part = part_of(grid, above=is_solid)
         if not part.GetNumberOfCells():
             continue
         edges = vtk.vtkFeatureEdges()
@@ -372,13 +354,7 @@ def wall_of(grid):
     """(the liquids, whose surface has the values at walls; the side from which the wall is seen that is not a plane of symmetry)."""
     solid = in_solid(grid)
     if solid is not None and not solid.all():
-        choose = vtk.vtkThreshold()
-        choose.SetInputData(grid)
-        choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
-        choose.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
-        choose.SetLowerThreshold(0.5)
-        choose.Update()
-        grid = choose.GetOutput()
+        grid = part_of(grid)
     low, high = grid.GetBounds()[4:]
     return grid, numpy.array([0.35, 0.4, -1.0 if abs(high) < 1e-3 * (high - low) else 1.0])
 

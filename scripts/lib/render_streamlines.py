@@ -3,6 +3,7 @@
 import numpy
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtk_part import part_of
 
 SEEDS = 60  # about so many places from which lines go, evenly in the liquid
 SLOWEST = 1e-4  # of the largest speed: where the liquid is slower, a line ends
@@ -12,13 +13,8 @@ def liquid_of(grid):
     """The liquid of a body that has one, else the whole body."""
     if grid.GetPointData().GetArray("phase") is None:
         return grid
-    threshold = vtk.vtkThreshold()
-    threshold.SetInputData(grid)
-    threshold.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
-    threshold.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
-    threshold.SetLowerThreshold(0.5)
-    threshold.Update()
-    return threshold.GetOutput() if threshold.GetOutput().GetNumberOfCells() else grid
+    liquid = part_of(grid)
+    return liquid if liquid.GetNumberOfCells() else grid
 
 
 def glass_of(grid):

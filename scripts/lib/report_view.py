@@ -155,17 +155,6 @@ def slices_of(bounds):
     return [{"name": name, "normal": numpy.eye(3)[d].tolist(), "distance": float(at)} for name, d, at in found]
 
 
-def liquids_of(grid):
-    import vtk
-    choose = vtk.vtkThreshold()
-    choose.SetInputData(grid)
-    choose.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "phase")
-    choose.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
-    choose.SetLowerThreshold(0.5)
-    choose.Update()
-    return choose.GetOutput()
-
-
 def field_names(grid):
     """What the view can show, in the order of what a reader looks for."""
     data = grid.GetPointData()
@@ -177,6 +166,7 @@ def read_states(run, states, follows):
     """(dimension, slices, parts, names of fields) with all arrays of the states."""
     import render_field
     from vtk.util.numpy_support import numpy_to_vtk
+    from vtk_part import part_of
 
     parts, slices, dim, names = None, [], 2, []
     moves = run["summary"].get("deformation") == "finite"
@@ -217,7 +207,7 @@ def read_states(run, states, follows):
         for one, part in zip(slices, parts[1:]):
             part.add(cut(grid, one["normal"], one["distance"]), wanted)
         if len(parts) > 1 + len(slices):
-            parts[-1].add(outside(liquids_of(grid)), wanted)
+            parts[-1].add(outside(part_of(grid)), wanted)
     factor = 1 if moves else min((value for value in factors if value > 0), default=0)
     return {"dim": dim, "slices": slices, "parts": parts, "names": names, "largest": largest, "factor": factor, "bounds": bounds}
 

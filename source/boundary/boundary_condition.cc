@@ -67,7 +67,7 @@ std::string BoundaryCondition::initial_jump(const double *point) const
           is_velocity ? velocity : traction);
   }
   if (const double ratio = volume_ratio.initial_value(point); is_cavity() && ratio != 1.)
-    add("a volume ratio", ratio, "times the volume at rest");
+    add("a volume ratio", ratio, "times the undeformed volume");
   if (free_flow)
     add("a flow rate", free_flow->rate.initial_value(point), is_in_plane ? "m^2/s" : "m^3/s");
   if (outlet)

@@ -48,7 +48,7 @@ void read_mesh_condition(ParameterSection &section,
       section, "Mesh velocity", n_dimensions, Dimensions::velocity,
       "Of Mesh = follows: Cartesian components of the velocity of the mesh, where the liquid "
       "passes it; by itself the mesh has the velocity of the liquid. A formula has the place "
-      "in the mesh at rest.",
+      "in the undeformed mesh.",
       false, "Mesh");
   // Zeros that are given hold the mesh.
   const bool has_mesh_velocity =

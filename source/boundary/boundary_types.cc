@@ -44,11 +44,12 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
 
 void read_cavity(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
-  condition.volume_ratio = Waveform::read(section, "Volume ratio", Dimensions::none,
-                                          "Volume that the boundary encloses, or that of the "
-                                          "liquid behind it, over that in the mesh at "
-                                          "rest, such as 1 + 0.5*t; a function of time alone.",
-                                          true);
+  condition.volume_ratio =
+      Waveform::read(section, "Volume ratio", Dimensions::none,
+                     "Volume that the boundary encloses, or that of the "
+                     "liquid behind it, over that in the "
+                     "undeformed mesh, such as 1 + 0.5*t; a function of time alone.",
+                     true);
   if (condition.volume_ratio.depends_on_space())
     section.refuse("Volume ratio", "depends on x, y or z",
                    "Write it as a function of t: a cavity has one volume");
@@ -60,8 +61,8 @@ void read_support(ParameterSection &section, BoundaryCondition &condition, unsig
   {
     section.add(name + " stiffness", part.stiffness, support_stiffness,
                 "What the tissue around pushes back by, over the displacement of the body from its "
-                "shape at rest: traction per area at rest. " +
-                    name + " to the boundary at rest.",
+                "undeformed shape: traction per undeformed area. " +
+                    name + " to the undeformed boundary.",
                 Range::not_negative());
     section.add(name + " damping", part.damping, support_damping,
                 "The same over the velocity of the body.", Range::not_negative());

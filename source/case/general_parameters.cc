@@ -82,7 +82,7 @@ void SteadyParameters::read(ParameterSection section, const bool is_nonlinear)
   section.add("Time of loads", time_of_loads, Dimensions::time,
               "Time at which a steady analysis takes loads and prescribed velocities. With "
               "Unloaded shape = inverse solve the mesh has the shape under those at t = 0, and "
-              "the displacement leads from there to the shape at rest under those at this time.");
+              "the displacement leads from there to the steady shape under those at this time.");
   section.add(
       "Load steps", load_steps,
       "Steps in which loads and prescribed velocities come, by equal parts, one for each "

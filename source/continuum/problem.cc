@@ -24,7 +24,7 @@ void InteriorData::read(ParameterSection body_force_section,
   body_force =
       read_force("Force density", Dimensions::force_density,
                  "Cartesian components of the force per volume rho b on all regions. With "
-                 "Deformation = finite at the present place; on solids per volume at rest.");
+                 "Deformation = finite at the present place; on solids per undeformed volume.");
   acceleration =
       read_force("Acceleration", Dimensions::acceleration,
                  "Cartesian components of the force per mass b, such as gravity; each "

@@ -86,7 +86,7 @@ void CellWise<dim>::setup()
   if (!vertex_motion)
     return;
   vertex_motion->reinit();
-  // The sizes of the liquids are those at rest, also where a run goes on.
+  // The sizes of the liquids are the undeformed ones, also where a run goes on.
   motion.set_up();
 }
 

@@ -294,7 +294,7 @@ void VertexMotion<dim>::check()
     return;
   std::ostringstream text;
   text << "the mesh is turned inside out " << last.place
-       << ": the ratio of its volume to that at rest is " << last.least_volume_ratio
+       << ": the ratio of its volume to the undeformed one is " << last.least_volume_ratio
        << " there; a smaller time step, loads that begin smoothly, Mesh = slides on a plane "
           "boundary along which it moves, or a coarser mesh beside what moves help";
   throw StepFailure(text.str());
@@ -313,7 +313,7 @@ std::string VertexMotion<dim>::finish_step(const double time)
   warning_was_given = true;
   std::ostringstream text;
   text << "at t = " << time << " s the mesh is compressed " << last.place << " to "
-       << last.least_volume_ratio << " of its volume at rest; below " << least_good_volume_ratio
+       << last.least_volume_ratio << " of its undeformed volume; below " << least_good_volume_ratio
        << " results there lose digits, and at 0 the run ends";
   return text.str();
 }

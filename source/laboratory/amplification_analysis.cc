@@ -5,6 +5,7 @@
 #include <continua/base/joined.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
+#include <continua/laboratory/entries_of_a_body.h>
 #include <continua/laboratory/wave_bar.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -38,11 +39,8 @@ struct Extremes
 AmplificationAnalysis::AmplificationAnalysis(const AnalysisInput &input) : Analysis(input)
 {
   ParameterSection root = file.root();
-  // The default stands in every file that --print-parameters writes.
-  if (general.model != GeneralParameters().model)
-    root.refuse("Model", "the bar of the amplification is one of plane strain", "Remove it");
-  if (general.discretisation != GeneralParameters().discretisation)
-    root.refuse("Discretisation", "the bar of the amplification is cell-wise", "Remove it");
+  refuse_entries_of_a_body(root, general, "the bar of the amplification is one of plane strain",
+                           "the bar of the amplification is cell-wise");
   parameters.read(root.subsection("Amplification"));
   expected = read_expected(root.subsection("Expected"));
   file.refuse_unknown();

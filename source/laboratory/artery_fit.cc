@@ -7,6 +7,7 @@
 #include <continua/base/table_writer.h>
 #include <continua/base/undefined.h>
 #include <continua/inference/least_squares_fit.h>
+#include <continua/laboratory/entries_of_a_body.h>
 #include <continua/laboratory/fit_report.h>
 #include <continua/postprocess/writing_rank.h>
 
@@ -42,11 +43,8 @@ double or_unknown(const double noise)
 ArteryFit::ArteryFit(const AnalysisInput &input) : Analysis(input)
 {
   ParameterSection root = file.root();
-  // The default stands in every file that --print-parameters writes.
-  if (general.model != GeneralParameters().model)
-    root.refuse("Model", "the tube of the table is round and even along its axis", "Remove it");
-  if (general.discretisation != GeneralParameters().discretisation)
-    root.refuse("Discretisation", "the tube of the table has no mesh", "Remove it");
+  refuse_entries_of_a_body(root, general, "the tube of the table is round and even along its axis",
+                           "the tube of the table has no mesh");
   const ParameterSection section = root.subsection("Artery fit");
   parameters.read(section);
   parameters.read_layers(root.subsection("Materials"), section);

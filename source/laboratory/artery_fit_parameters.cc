@@ -144,8 +144,10 @@ void ArteryFitParameters::read_layers(ParameterSection materials, ParameterSecti
                      "Give each layer a material of its own");
     ParameterSection of_layer = materials.subsection(name);
     Material material = read_material(of_layer, Model::three_dimensional);
-    if (material.type != "hookean" || !material.is_incompressible())
-      of_layer.refuse(material.type != "hookean" ? "Type" : "Poisson's ratio",
+    const bool is_elastic =
+        material.is_solid() && !material.relaxes() && material.shear.viscosity == 0.;
+    if (!is_elastic || !material.is_incompressible())
+      of_layer.refuse(is_elastic ? "Poisson's ratio" : "Type",
                       "the wall of this test is elastic and incompressible",
                       "Set Type = hookean and Poisson's ratio = 0.5");
     read_strain_law(of_layer, material);

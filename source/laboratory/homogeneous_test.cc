@@ -113,9 +113,9 @@ int solve_four(FourEquations matrix, std::array<double, 4> &values)
 /// The logarithms of the stretches and p over the shear modulus.
 using Unknowns = std::array<double, 4>;
 
-/// The states of equilibrium between rest and given stretches. At the part s of the path the given
-/// logarithms are s times those at its end, and the free directions bear 1 - s of what they bear
-/// at rest: nothing, but for a law that remembers an earlier strain.
+/// The states of equilibrium between no strain and given stretches. At the part s of the path the
+/// given logarithms are s times those at its end, and the free directions bear 1 - s of what they
+/// bear at rest: nothing, but for a law that remembers an earlier strain.
 class EquilibriumPath
 {
 public:

@@ -19,11 +19,11 @@ StretchTable read_stretch_table(ParameterSection &section,
   key[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(key[0])));
   StretchTable result;
   result.type = type;
-  section.add_input_file(key, result.file,
-                         "A csv file of a measured " + word + " test with the columns " +
-                             strain_measure +
-                             " [1] and stress (force over the area at rest), units in its header; "
-                             "the constants of the law are fitted to all tables.");
+  section.add_input_file(
+      key, result.file,
+      "A csv file of a measured " + word + " test with the columns " + strain_measure +
+          " [1] and stress (force over the undeformed area), units in its header; "
+          "the constants of the law are fitted to all tables.");
   if (result.file.empty())
     return result;
   const CsvTable table(result.file, strain_measure + " [1], stress [kPa]");
@@ -38,7 +38,7 @@ StretchTable read_stretch_table(ParameterSection &section,
     if (!is_shear && (result.strain_measures[row] < 1. / largest_stretch ||
                       result.strain_measures[row] > largest_stretch))
       table.refuse(row, strain_measure_column,
-                   "a stretch is the length over that at rest, 1 at rest",
+                   "a stretch is the length over the undeformed one, 1 without strain",
                    "Give values between 0.01 and 100; a strain e is the stretch 1 + e");
     else if (is_shear && std::abs(result.strain_measures[row]) > largest_stretch)
       table.refuse(row, strain_measure_column, "the amount of shear is too large",
@@ -61,7 +61,7 @@ void LargeStrainParameters::read(ParameterSection &section, const std::vector<st
   const auto has = [&tests](const std::string &test)
   { return std::find(tests.begin(), tests.end(), test) != tests.end(); };
   section.add("Smallest stretch", smallest_stretch, Dimensions::none,
-              "Where curves over the stretch begin: length over length at rest.",
+              "Where curves over the stretch begin: length over undeformed length.",
               Range{0.01, 100.});
   section.add("Largest stretch", largest_stretch, Dimensions::none,
               "Where these curves end. Of an inflation: of the circumference.", Range{0.01, 100.});
@@ -79,12 +79,13 @@ void LargeStrainParameters::read(ParameterSection &section, const std::vector<st
               "Stretch along the axis at which a tube is held during an inflation.",
               Range{0.01, 100.});
   section.add("Radius", radius, Dimensions::length,
-              "Radius of the tube at rest, to the middle of its wall. Required by inflation.",
+              "Radius of the undeformed tube, to the middle of its wall. Required by inflation.",
               Range::positive());
-  section.add("Wall thickness", wall_thickness, Dimensions::length,
-              "Thickness of its wall at rest; the stress is taken as even across it. Required by "
-              "inflation.",
-              Range::positive());
+  section.add(
+      "Wall thickness", wall_thickness, Dimensions::length,
+      "Thickness of its undeformed wall; the stress is taken as even across it. Required by "
+      "inflation.",
+      Range::positive());
   section.add("Held stretch", held_stretch, Dimensions::none,
               "Stretch at which a stretch relaxation is held. Required by it.",
               Range{0., 100., true, false});

@@ -223,7 +223,8 @@ void LargeStrainTests::curve(const std::string &name, const HomogeneousTestType 
   };
   if (!is_shear)
     state_limit_points(name, "nominal stress", stress_and_slope);
-  summary.add({"modulus at rest", specimen.at(type, undeformed).tangent_modulus, "Pa", name});
+  summary.add(
+      {"modulus at zero strain", specimen.at(type, undeformed).tangent_modulus, "Pa", name});
   summary.add({"nominal stress at the end", point.nominal_stress, "Pa", name});
   summary.add({"Cauchy stress at the end", point.cauchy_stress, "Pa", name});
   summary.add({"tangent modulus at the end", point.tangent_modulus, "Pa", name});
@@ -335,7 +336,7 @@ void LargeStrainTests::relaxation(const std::string &name,
   RelaxingLaw relaxing(*strain_law, material.shear.branches);
   const HomogeneousTest specimen(relaxing, inverse_bulk_modulus, fibres);
   std::vector<std::string> header = {"time [s]", is_shear ? "shear [1]" : "stretch [1]",
-                                     "nominal stress [Pa]", "nominal stress at rest [Pa]"};
+                                     "nominal stress [Pa]", "relaxed nominal stress [Pa]"};
   if (is_shear)
     header.push_back("stress of the closed solution [Pa]");
   const auto rows = table(name, header);
@@ -417,7 +418,7 @@ void LargeStrainTests::name_quantities(const StrainLawParameters &law,
     }
     else
     {
-      add(test, {"modulus at rest", "nominal stress at the end", "Cauchy stress at the end",
+      add(test, {"modulus at zero strain", "nominal stress at the end", "Cauchy stress at the end",
                  "tangent modulus at the end"});
       if (test != "shear")
         add_limit_points(test, "nominal stress");

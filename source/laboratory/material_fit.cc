@@ -4,6 +4,7 @@
 #include <continua/base/citations.h>
 #include <continua/base/misfit.h>
 #include <continua/base/table_writer.h>
+#include <continua/laboratory/entries_of_a_body.h>
 #include <continua/laboratory/fit_report.h>
 #include <continua/laboratory/material_text.h>
 #include <continua/postprocess/writing_rank.h>
@@ -81,8 +82,8 @@ void write_branches_tried(const std::string &file, const std::vector<BarLawFit> 
   TableWriter table(
       file, {"branches [1]", "constants [1]", "misfit [1]", "criterion above the best [1]"});
   for (const BarLawFit &fit : of_branches)
-    table.row({static_cast<double>(fit.law.n_branches), static_cast<double>(fit.parameters.size()),
-               misfit_of(fit), fit.criterion - least});
+    table.row({static_cast<double>(fit.law->n_branches()),
+               static_cast<double>(fit.parameters.size()), misfit_of(fit), fit.criterion - least});
   table.flush();
 }
 
@@ -104,24 +105,13 @@ void warn_of_order(const BarRecord &record, const RecordFit &of_record, Log &log
       log.warning(warning);
   }
 }
-
-BarLaw law_of(const std::string &type, const double poissons_ratio)
-{
-  BarLaw law;
-  law.type = type;
-  law.poissons_ratio = poissons_ratio;
-  return law;
-}
 } // namespace
 
 MaterialFit::MaterialFit(const AnalysisInput &input) : Analysis(input)
 {
   ParameterSection root = file.root();
-  // The default stands in every file that --print-parameters writes.
-  if (general.model != GeneralParameters().model)
-    root.refuse("Model", "the bar of the tables has its own kinematics", "Remove it");
-  if (general.discretisation != GeneralParameters().discretisation)
-    root.refuse("Discretisation", "a fit of tables has no mesh", "Remove it");
+  refuse_entries_of_a_body(root, general, "the bar of the tables has its own kinematics",
+                           "a fit of tables has no mesh");
   const ParameterSection section = root.subsection("Material fit");
   parameters.read(section);
   expected = read_expected(root.subsection("Expected"));
@@ -142,11 +132,9 @@ std::string MaterialFit::key_of_choice() const
 
 void MaterialFit::check_law(const ParameterSection &section) const
 {
-  if (parameters.law == "best" && parameters.n_branches == 0)
+  if (!parameters.law)
     return;
-  BarLaw law =
-      law_of(parameters.n_branches > 0 ? "prony" : parameters.law, parameters.poissons_ratio);
-  law.n_branches = std::max(parameters.n_branches, 1u);
+  const BarLaw &law = *parameters.law;
   const std::size_t n_constants = law.constants().size();
   if (parameters.n_values() <= n_constants)
     section.refuse(key_of_choice(),
@@ -156,27 +144,25 @@ void MaterialFit::check_law(const ParameterSection &section) const
                        "noise, too",
                    parameters.n_branches > 0 ? "Give tables with more rows, or fewer branches"
                                              : "Give tables with more rows, or another law");
-  if (parameters.law == "kelvin-voigt" &&
+  if (!law.is_shown_by_relaxation() &&
       std::all_of(parameters.records.begin(), parameters.records.end(),
                   [](const BarRecord &record)
                   { return record.quantity == BarQuantity::relaxation; }))
     section.refuse("Law",
-                   "a relaxation table does not tell the viscosity of a kelvin-voigt solid, whose "
-                   "stress is constant from the end of the loading on",
+                   "a relaxation table does not tell the viscosity of " + law.description() +
+                       ", whose stress is constant from the end of the loading on",
                    "Add a creep table or a modulus table, or take another law");
 }
 
 void MaterialFit::name_quantities()
 {
-  std::vector<std::string> laws = BarLaw::types();
-  for (const std::string &type : laws)
+  for (const std::string &type : bar_law_types())
   {
     quantities.add("misfit", type);
     quantities.add("criterion above the best", type);
-    BarLaw law = law_of(type, parameters.poissons_ratio);
-    law.n_branches = parameters.most_branches;
-    if (parameters.law == "best" || parameters.law == type)
-      for (const BarLawConstant &constant : law.constants())
+    const auto law = make_bar_law(type, parameters.poissons_ratio, parameters.most_branches);
+    if (!parameters.law || parameters.law->type() == type)
+      for (const BarLawConstant &constant : law->constants())
         name_fit_quantities(constant.name, quantities);
   }
   quantities.add("branches", "fit");
@@ -190,23 +176,25 @@ std::vector<BarLawFit> MaterialFit::fit_all(const std::vector<BarLawFit> &of_bra
   // The Prony series stands for those of other numbers of branches.
   std::vector<BarLawFit> all, series;
   for (const BarLawFit &fit : of_branches)
-    (fit.law.type == "prony" ? series : all).push_back(fit);
+    (fit.law->n_branches() > 0 ? series : all).push_back(fit);
   if (!series.empty())
     all.push_back(simplest_of(series));
-  for (const std::string type : {"kelvin-voigt", "maxwell", "power law"})
+  const bool has_more_than_relaxation = std::any_of(
+      parameters.records.begin(), parameters.records.end(),
+      [](const BarRecord &record) { return record.quantity != BarQuantity::relaxation; });
+  for (const std::string &type : bar_law_types())
   {
-    const bool has_more_than_relaxation = std::any_of(
-        parameters.records.begin(), parameters.records.end(),
-        [](const BarRecord &record) { return record.quantity != BarQuantity::relaxation; });
-    const BarLaw law = law_of(type, parameters.poissons_ratio);
-    if (type == "kelvin-voigt" && !has_more_than_relaxation)
+    const auto law = make_bar_law(type, parameters.poissons_ratio);
+    if (law->is_series())
+      continue;
+    if (!law->is_shown_by_relaxation() && !has_more_than_relaxation)
     {
-      log.line("left out: " + law.description() +
+      log.line("left out: " + law->description() +
                ", whose viscosity a relaxation table does not "
                "tell");
       continue;
     }
-    if (parameters.n_values() <= law.constants().size())
+    if (parameters.n_values() <= law->constants().size())
       continue;
     try
     {
@@ -214,12 +202,12 @@ std::vector<BarLawFit> MaterialFit::fit_all(const std::vector<BarLawFit> &of_bra
       if (fit.result.converged)
         all.push_back(fit);
       else
-        log.line("left out: " + law.description() +
+        log.line("left out: " + law->description() +
                  ", whose fit did not come to its end: " + fit.result.stop_reason);
     }
     catch (const RunError &error)
     {
-      log.line("left out: " + law.description() + ": " + error.what());
+      log.line("left out: " + law->description() + ": " + error.what());
     }
   }
   std::stable_sort(all.begin(), all.end(),
@@ -231,31 +219,29 @@ std::vector<BarLawFit> MaterialFit::fit_all(const std::vector<BarLawFit> &of_bra
 BarLawFit MaterialFit::chosen(const std::vector<BarLawFit> &of_branches,
                               const std::vector<BarLawFit> &all) const
 {
-  if (parameters.law == "best" && parameters.n_branches == 0)
+  if (!parameters.law)
     return all.front();
   if (parameters.n_branches > 0)
   {
     for (const BarLawFit &fit : of_branches)
-      if (fit.law.n_branches == parameters.n_branches)
+      if (fit.law->n_branches() == parameters.n_branches)
         return fit;
     const std::vector<BarLawStart> starts =
         starts_of_prony(parameters.poissons_ratio, parameters.records, parameters.n_branches);
-    if (starts.back().law.n_branches == parameters.n_branches)
+    if (starts.back().law->n_branches() == parameters.n_branches)
       return fit_bar_law(starts.back(), parameters.records);
     throw RunError("the tables do not show " + std::to_string(parameters.n_branches) +
                    " branches: of all relaxation times between and beside those of the rows, the "
                    "least squares without negative moduli keep " +
-                   std::to_string(starts.back().law.n_branches) + "; set fewer Branches, or 0");
+                   std::to_string(starts.back().law->n_branches()) + "; set fewer Branches, or 0");
   }
   for (const BarLawFit &fit : all)
-    if (fit.law.type == parameters.law)
+    if (fit.law->type() == parameters.law->type())
       return fit;
-  if (parameters.law == "prony")
+  if (parameters.law->n_branches() > 0)
     throw RunError("no Prony series could be fitted to the tables");
   // Left out of the comparison: its tables tell how far the search came.
-  return fit_bar_law(
-      start_of_scan(law_of(parameters.law, parameters.poissons_ratio), parameters.records),
-      parameters.records);
+  return fit_bar_law(start_of_scan(parameters.law, parameters.records), parameters.records);
 }
 
 void MaterialFit::compare(const BarLawFit &chosen,
@@ -269,19 +255,19 @@ void MaterialFit::compare(const BarLawFit &chosen,
   for (const BarLawFit &fit : all)
   {
     log.line("  " + one_decimal(fit.criterion - best.criterion) + ", " + percent(misfit_of(fit)) +
-             ": " + fit.law.description());
-    summary.add({"misfit", misfit_of(fit), "1", fit.law.type});
-    summary.add({"criterion above the best", fit.criterion - best.criterion, "1", fit.law.type});
+             ": " + fit.law->description());
+    summary.add({"misfit", misfit_of(fit), "1", fit.law->type()});
+    summary.add({"criterion above the best", fit.criterion - best.criterion, "1", fit.law->type()});
   }
   if (chosen.criterion - best.criterion > clear_difference)
-    log.warning("Material fit/" + key_of_choice() + ": " + chosen.law.description() +
-                " misses by " + percent(misfit_of(chosen)) + ", " + best.law.description() +
+    log.warning("Material fit/" + key_of_choice() + ": " + chosen.law->description() +
+                " misses by " + percent(misfit_of(chosen)) + ", " + best.law->description() +
                 " by " + percent(misfit_of(best)) +
                 ". By Schwarz's criterion the second one is better by " +
                 one_decimal(chosen.criterion - best.criterion) + ", where " +
                 one_decimal(clear_difference) + " is very clear");
   const std::string warning =
-      misfit_warning("Material fit: " + chosen.law.description(), misfit_of(chosen),
+      misfit_warning("Material fit: " + chosen.law->description(), misfit_of(chosen),
                      "root of the mean square", "Such a material does not follow this law");
   if (!warning.empty())
     log.warning(warning);
@@ -291,7 +277,7 @@ void MaterialFit::write(const OutputDirectory &directory,
                         const BarLawFit &chosen,
                         const std::vector<BarLawFit> &of_branches) const
 {
-  const Material material = chosen.law.material(chosen.result.estimates);
+  const Material material = chosen.law->material(chosen.result.estimates);
   for (std::size_t i = 0; i < parameters.records.size(); ++i)
     write_record(directory.file(fit_file(parameters.records[i])), parameters.records[i],
                  chosen.result.records[i], material);
@@ -325,12 +311,12 @@ void MaterialFit::compute(const OutputDirectory &directory, Log &log, Summary &s
     throw RunError("no law could be fitted to the tables");
   const BarLawFit found = chosen(of_branches, all);
   compare(found, all, log, summary);
-  log.line("Found: " + found.law.description());
+  log.line("Found: " + found.law->description());
   report_fit(found.parameters, found.result, log, summary);
   for (std::size_t i = 0; i < parameters.records.size(); ++i)
     warn_of_order(parameters.records[i], found.result.records[i], log);
-  summary.set("law", found.law.type);
-  summary.add({"branches", static_cast<double>(found.law.n_branches), "1", "fit"});
+  summary.set("law", found.law->type());
+  summary.add({"branches", static_cast<double>(found.law->n_branches()), "1", "fit"});
   for (std::size_t i = 0; i < parameters.records.size(); ++i)
     summary.add(
         {"misfit of the " + parameters.records[i].name() + " table", found.misfits[i], "1", "fit"});
@@ -350,6 +336,6 @@ void MaterialFit::compute(const OutputDirectory &directory, Log &log, Summary &s
     summary.write(directory.file("summary.json"));
     Citations().write(directory.file("citation.bib"));
   }
-  require_end(found.result, found.law.description());
+  require_end(found.result, found.law->description());
 }
 } // namespace Continua

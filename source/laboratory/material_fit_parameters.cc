@@ -142,9 +142,11 @@ void MaterialFitParameters::read_moduli(ParameterSection &section)
 
 void MaterialFitParameters::read(ParameterSection section)
 {
-  std::vector<std::string> laws = BarLaw::types();
-  laws.insert(laws.begin(), "best");
-  section.add_choice("Law", law, laws,
+  const std::string best = "best";
+  std::vector<std::string> choices = bar_law_types();
+  choices.insert(choices.begin(), best);
+  std::string type = best;
+  section.add_choice("Law", type, choices,
                      "The law that is written as a material: best - the one with the least "
                      "information criterion, where the Prony series has its fewest branches by "
                      "the rule of 'Branches'; or a Type of a material. All laws are fitted and "
@@ -173,8 +175,12 @@ void MaterialFitParameters::read(ParameterSection section)
   if (n_branches > most_branches)
     section.refuse("Branches", "there are more than Most branches",
                    "Give 'Most branches' (default 8) as many at least");
-  if (n_branches > 0 && law != "best" && law != "prony")
-    section.refuse("Branches", "the law '" + law + "' has no branches",
+  if (type != best)
+    law = make_bar_law(type, poissons_ratio, std::max(n_branches, 1u));
+  else if (n_branches > 0)
+    law = make_series_of_bar(poissons_ratio, n_branches);
+  if (n_branches > 0 && law->n_branches() == 0)
+    section.refuse("Branches", "the law '" + type + "' has no branches",
                    "Remove it, or set Law = prony");
 }
 

@@ -1,6 +1,7 @@
 #include <continua/base/citations.h>
 #include <continua/base/table_writer.h>
 #include <continua/case/power_laws.h>
+#include <continua/laboratory/entries_of_a_body.h>
 #include <continua/laboratory/laboratory_tests.h>
 #include <continua/laboratory/large_strain_tests.h>
 #include <continua/laboratory/material_laboratory.h>
@@ -23,13 +24,9 @@ using dealii::numbers::PI;
 MaterialLaboratory::MaterialLaboratory(const AnalysisInput &input) : Analysis(input)
 {
   ParameterSection root = file.root();
-  // The default stands in every file that --print-parameters writes.
-  if (general.model != GeneralParameters().model)
-    root.refuse("Model", "the specimen of the laboratory has its own kinematics",
-                "Remove it; Laboratory/Specimen is a cylinder or a cube");
-  if (general.discretisation != GeneralParameters().discretisation)
-    root.refuse("Discretisation", "the specimen of the laboratory is one finite element",
-                "Remove it");
+  refuse_entries_of_a_body(root, general, "the specimen of the laboratory has its own kinematics",
+                           "the specimen of the laboratory is one finite element",
+                           "Remove it; Laboratory/Specimen is a cylinder or a cube");
   ParameterSection section = root.subsection("Laboratory");
   laboratory.read(section);
   read_material_of(root.subsection("Materials"));

@@ -10,13 +10,13 @@ namespace Continua
 {
 std::string material_text(const BarLawFit &fit, const double density)
 {
-  std::vector<std::pair<std::string, std::string>> entries = fit.law.entries(fit.result.estimates);
+  BarLaw::Entries entries = fit.law->entries(fit.result.estimates);
   entries.insert(entries.begin() + 1, {"Density", six_digits(density) + " kg/m^3"});
   std::size_t width = 0;
   for (const auto &[key, value] : entries)
     width = std::max(width, key.size());
   std::ostringstream text;
-  text << "# " << fit.law.description()
+  text << "# " << fit.law->description()
        << ", as Analysis = material fit has found it. Standard errors:\n";
   for (std::size_t i = 0; i < fit.parameters.size(); ++i)
   {

@@ -5,6 +5,7 @@
 #include <continua/base/six_digits.h>
 #include <continua/base/summary.h>
 #include <continua/base/table_writer.h>
+#include <continua/laboratory/entries_of_a_body.h>
 #include <continua/network/period_search.h>
 #include <continua/postprocess/writing_rank.h>
 #include <continua/signal/beat_values.h>
@@ -48,10 +49,9 @@ NonlinearWaveTheory::NonlinearWaveTheory(const AnalysisInput &input) : Analysis(
 {
   ParameterSection root = file.root(), section = root.subsection("Network");
   // The defaults stand in every file that --print-parameters writes.
-  if (general.model != GeneralParameters().model)
-    root.refuse("Model", "a network has vessels along lines, and no model of a body", "Remove it");
-  if (general.discretisation != GeneralParameters().discretisation)
-    root.refuse("Discretisation", "a network has finite volumes along its vessels", "Remove it");
+  refuse_entries_of_a_body(root, general,
+                           "a network has vessels along lines, and no model of a body",
+                           "a network has finite volumes along its vessels");
   parameters.read(section);
   parameters.read_materials(section, root.subsection("Materials"));
   expected = read_expected(root.subsection("Expected"));

@@ -1,5 +1,6 @@
 #include <continua/network/tube_wall.h>
 
+#include <continua/materials/neo_hookean.h>
 #include <continua/network/neo_hookean_wall.h>
 #include <continua/network/square_root_wall.h>
 #include <continua/network/tabulated_wall.h>
@@ -189,7 +190,8 @@ void TubeWall::set_relaxation()
 bool TubeWall::is_neo_hookean() const
 {
   for (const Material &layer : section.layers)
-    if (layer.strain_law_parameters.type != "neo hookean" || layer.prestretch.exists() ||
+    if (dynamic_cast<const NeoHookean *>(layer.strain_law.get()) == nullptr ||
+        layer.prestretch.exists() ||
         layer.long_term_shear_modulus() != section.layers.front().long_term_shear_modulus())
       return false;
   return true;
@@ -197,7 +199,7 @@ bool TubeWall::is_neo_hookean() const
 
 double TubeWall::density_times_speed_squared() const
 {
-  if (is_neo_hookean() && is_finite())
+  if (is_neo_hookean())
   {
     const NeoHookeanWall wall(area_of(section), section.wall_area(), 0.,
                               section.layers.front().long_term_shear_modulus());

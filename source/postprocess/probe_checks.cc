@@ -255,7 +255,7 @@ void ProbeChecks<dim>::check_moving_cells(const std::vector<FieldComponent> &kno
     return;
   if (probe.place == Place::stations || probe.place == Place::section)
     probe.section.refuse(
-        "", "sections of the cell-wise path are those of the mesh at rest, and the mesh moves",
+        "", "sections of the cell-wise path are those of the undeformed mesh, and the mesh moves",
         "Give a Point, a Boundary or a Volume, or set Discretisation = taylor hood");
   for (const FieldComponent &field : probe.components(known_fields))
   {
@@ -266,7 +266,7 @@ void ProbeChecks<dim>::check_moving_cells(const std::vector<FieldComponent> &kno
         field.name != "pressure" && !is_of_cavity(field.name))
       probe.section.refuse(
           "Fields",
-          "'" + field.name + "' would be an integral over the mesh at rest, and the mesh moves",
+          "'" + field.name + "' would be an integral over the undeformed mesh, and the mesh moves",
           "Ask for force, displacement, velocity or pressure there, give a Point, or "
           "set Discretisation = taylor hood");
   }

@@ -1,4 +1,5 @@
 #include <continua/base/formula_text.h>
+#include <continua/base/is_unit.h>
 #include <continua/signal/expression.h>
 #include <continua/signal/formula_quantities.h>
 
@@ -59,20 +60,6 @@ std::string after_number(const std::string &text)
   const std::string rest(result.ptr, end);
   const std::size_t first = rest.find_first_not_of(" \t");
   return first == std::string::npos ? "" : rest.substr(first);
-}
-
-bool is_unit(const std::string &text)
-{
-  try
-  {
-    Dimension dimension;
-    unit_factor(text, dimension);
-    return true;
-  }
-  catch (const std::invalid_argument &)
-  {
-    return false;
-  }
 }
 
 /// Whether `text` is a number with something after it that can only be meant as a unit.

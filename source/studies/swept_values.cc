@@ -1,5 +1,6 @@
 #include <continua/studies/swept_values.h>
 
+#include <continua/base/is_unit.h>
 #include <continua/base/parameter_text.h>
 #include <continua/base/quoted_name.h>
 #include <continua/base/units.h>
@@ -37,21 +38,6 @@ std::optional<NumberAndUnit> number_and_unit(const std::string &text)
   if (result.ec != std::errc())
     return {};
   return NumberAndUnit{number, collapse_blanks(std::string(result.ptr, end))};
-}
-
-/// A unit, and not any words.
-bool is_unit(const std::string &text)
-{
-  try
-  {
-    Dimension dimension;
-    unit_factor(text, dimension);
-    return true;
-  }
-  catch (const std::invalid_argument &)
-  {
-    return false;
-  }
 }
 
 /// A number with a unit or without, and nothing else.

@@ -49,9 +49,7 @@ std::vector<DataRecord> data_of(const std::vector<BarRecord> &records)
 /// The constants with the longest relaxation time first; whether they were not in this order.
 bool sort_branches(const BarLaw &law, std::vector<double> &constants)
 {
-  if (law.type != "prony")
-    return false;
-  const unsigned int n = law.n_branches;
+  const unsigned int n = law.n_branches();
   std::vector<unsigned int> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -113,8 +111,8 @@ std::vector<FitModel::Prediction> BarModel::predict(const std::vector<std::vecto
 BarLawFit fit_bar_law(const BarLawStart &start, const std::vector<BarRecord> &records)
 {
   const std::pair<double, double> times = times_of(records);
-  const std::vector<BarLawConstant> constants = start.law.constants();
-  BarModel model(start.law, records);
+  const std::vector<BarLawConstant> constants = start.law->constants();
+  BarModel model(*start.law, records);
   BarLawFit fit;
   fit.law = start.law;
   std::vector<double> from = start.constants;
@@ -129,7 +127,7 @@ BarLawFit fit_bar_law(const BarLawStart &start, const std::vector<BarRecord> &re
         1e-6; // an evaluation costs nothing, and all digits that are shown are right
     fit.result = LeastSquaresFit(fit.parameters, data_of(records), model, options).solve();
     from = fit.result.estimates;
-    if (!sort_branches(fit.law, from))
+    if (!sort_branches(*fit.law, from))
       break;
   }
   set_criterion(fit);

@@ -31,21 +31,15 @@ std::vector<double> even_in_logarithm(const double lowest, const double highest,
 std::vector<std::vector<double>> unit_constants(const BarLaw &law,
                                                 const std::pair<double, double> &times)
 {
+  const std::vector<BarLawConstant> constants = law.constants();
+  std::vector<double> scanned = {0.};
+  if (constants.size() > 1)
+    scanned = constants[1].dimension == Dimensions::none
+                  ? even_in_logarithm(1e-3, 0.9, 60)
+                  : even_in_logarithm(0.01 * times.first, 100. * times.second, 120);
   std::vector<std::vector<double>> sets;
-  if (law.type == "hookean")
-    return {{1.}};
-  if (law.type == "power law")
-  {
-    for (const double exponent : even_in_logarithm(1e-3, 0.9, 60))
-      sets.push_back({1., exponent});
-    return sets;
-  }
-  const double of_shear = 1. / (2. * (1. + law.poissons_ratio));
-  for (const double time : even_in_logarithm(0.01 * times.first, 100. * times.second, 120))
-    if (law.type == "maxwell")
-      sets.push_back({of_shear, time});
-    else
-      sets.push_back({1., time * of_shear});
+  for (const double time_or_exponent : scanned)
+    sets.push_back(law.unit_constants(time_or_exponent));
   return sets;
 }
 
@@ -251,20 +245,23 @@ std::pair<double, double> times_of(const std::vector<BarRecord> &records)
   return {shortest, longest};
 }
 
-BarLawStart start_of_scan(const BarLaw &law, const std::vector<BarRecord> &records)
+BarLawStart start_of_scan(const std::shared_ptr<const BarLaw> &law,
+                          const std::vector<BarRecord> &records)
 {
+  const std::vector<BarLawConstant> of_law = law->constants();
   LogarithmicFit best;
   std::vector<double> constants;
-  for (const std::vector<double> &set : unit_constants(law, times_of(records)))
+  for (const std::vector<double> &set : unit_constants(*law, times_of(records)))
   {
-    const LogarithmicFit fit = logarithmic_fit(law.material(set), records);
+    const LogarithmicFit fit = logarithmic_fit(law->material(set), records);
     if (!(fit.mean_square < best.mean_square) && !constants.empty())
       continue;
     best = fit;
     constants = set;
-    constants[0] *= fit.modulus;
-    if (law.type == "kelvin-voigt")
-      constants[1] *= fit.modulus;
+    for (std::size_t k = 0; k < constants.size(); ++k)
+      if (of_law[k].dimension == Dimensions::pressure ||
+          of_law[k].dimension == Dimensions::viscosity)
+        constants[k] *= fit.modulus;
   }
   return {law, constants};
 }
@@ -287,13 +284,10 @@ std::vector<BarLawStart> starts_of_prony(const double poissons_ratio,
   while (true)
   {
     std::vector<double> constants = series.moduli_and_times(series.solve(times).values, times);
-    BarLaw law;
-    law.n_branches = constants.size() / 2;
-    law.type = law.n_branches == 0 ? "hookean" : "prony";
-    law.poissons_ratio = poissons_ratio;
-    for (unsigned int k = 1; k <= law.n_branches; ++k)
+    const unsigned int n_branches = constants.size() / 2;
+    for (unsigned int k = 1; k <= n_branches; ++k)
       constants[k] *= of_shear;
-    starts.push_back({law, constants});
+    starts.push_back({make_series_of_bar(poissons_ratio, n_branches), constants});
     if (times.empty())
       break;
     times = one_less(series, times);

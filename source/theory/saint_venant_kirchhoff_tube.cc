@@ -1,5 +1,7 @@
 #include <continua/theory/saint_venant_kirchhoff_tube.h>
 
+#include <continua/materials/saint_venant_kirchhoff.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -21,7 +23,7 @@ SaintVenantKirchhoffTube::SaintVenantKirchhoffTube(const TubeSection &section)
   for (std::size_t i = 0; i < section.layers.size(); ++i)
   {
     const Material &material = section.layers[i];
-    if (material.strain_law_parameters.type != "st venant kirchhoff" ||
+    if (dynamic_cast<const SaintVenantKirchhoff *>(material.strain_law.get()) == nullptr ||
         material.inverse_bulk_modulus() == 0. || material.prestretch.exists())
       throw std::invalid_argument("A layer of the tube has another law.");
     const double modulus = material.long_term_shear_modulus(),

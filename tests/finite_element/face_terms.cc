@@ -41,8 +41,8 @@ Tensor<1, dim> random_vector(std::mt19937 &random)
   return result;
 }
 
-/// A solid: b times velocity and gradient is what follows of the displacement; by the place at
-/// rest.
+/// A solid: b times velocity and gradient is what follows of the displacement; by the undeformed
+/// place.
 template <int dim>
 struct Solid
 {

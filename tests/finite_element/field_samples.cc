@@ -314,7 +314,7 @@ void compare_with_library()
     for (const auto &cell : body.mesh.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        // deal.II takes the diameter of the cell at rest.
+        // deal.II takes the diameter of the undeformed cell.
         const auto corners = moved.get_vertices(cell);
         double diameter = 0.;
         for (unsigned int v = 0; v < corners.size() / 2; ++v)

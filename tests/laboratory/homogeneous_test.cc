@@ -1,6 +1,6 @@
-// Tests of a body of one strain: closed forms of incompressible rubber, the linear moduli at rest
-// of compressible solids, stress and slope against differences of energy and stress, and strips
-// with fibres.
+// Tests of a body of one strain: closed forms of incompressible rubber, the linear moduli at zero
+// strain of compressible solids, stress and slope against differences of energy and stress, and
+// strips with fibres.
 
 #include <continua/laboratory/homogeneous_test.h>
 

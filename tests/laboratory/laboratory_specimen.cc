@@ -10,6 +10,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "../unit_test.h"
+#include "../viscoelastic_solid.h"
 
 namespace test_of_laboratory_specimen
 {
@@ -33,19 +34,6 @@ struct Law
   double shortest_time; ///< of its own memory [s]
 };
 
-Material solid(const double inverse_bulk_modulus,
-               const double viscosity,
-               const std::vector<Branch> &branches,
-               const std::vector<BulkBranch> &bulk_branches = {})
-{
-  Material result;
-  result.compression = bulk_branches.empty() ? Compression::elastic(inverse_bulk_modulus)
-                                             : Compression::relaxing(bulk_branches);
-  result.shear.viscosity = viscosity;
-  result.shear.branches = branches;
-  return result;
-}
-
 std::vector<Law> laws()
 {
   Material wall; // the thesis's, between 0.5 and 100 Hz
@@ -61,12 +49,13 @@ std::vector<Law> laws()
     fastest = std::min(fastest, branch.relaxation_time);
   const std::vector<Branch> prony = {{1000., never}, {2000., 0.1}, {500., 1.}};
   return {// sides and axis of a compressible Kelvin-Voigt block: eta/mu and eta/(3 K + mu)
-          {"kelvin-voigt", solid(1. / 2000., 100., {{1000., never}}), 100. / 7000.},
-          {"maxwell", solid(1. / 2000., 0., {{1000., 0.1}}), 0.1},
-          {"incompressible maxwell", solid(0., 0., {{1000., 0.1}}), 0.1},
-          {"prony", solid(1. / 2000., 0., prony), 0.1},
+          {"kelvin-voigt", viscoelastic_solid(1. / 2000., 100., {{1000., never}}), 100. / 7000.},
+          {"maxwell", viscoelastic_solid(1. / 2000., 0., {{1000., 0.1}}), 0.1},
+          {"incompressible maxwell", viscoelastic_solid(0., 0., {{1000., 0.1}}), 0.1},
+          {"prony", viscoelastic_solid(1. / 2000., 0., prony), 0.1},
           {"volume change that relaxes",
-           solid(1. / 5000., 0., prony, {{2000., never}, {2000., 0.1}, {1000., 0.3}}), 0.1},
+           viscoelastic_solid(1. / 5000., 0., prony, {{2000., never}, {2000., 0.1}, {1000., 0.3}}),
+           0.1},
           {"power law", wall, fastest}};
 }
 

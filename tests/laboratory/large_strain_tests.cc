@@ -218,7 +218,7 @@ UNIT_TEST(large_strain_tests)
   std::ofstream("strains.csv") << "stretch [1], stress [kPa]\n0.001, 3\n0.1, 300\n";
   refused_file("a table of strains",
                large_strain_file(rubber, "set Uniaxial table = strains.csv\n"),
-               "strains.csv:2: 'stretch'.*1 at rest.*1 \\+ e");
+               "strains.csv:2: 'stretch'.*1 without strain.*1 \\+ e");
   std::ofstream("zero.csv") << "stretch [1], stress [kPa]\n1.1, 0\n1.2, 0\n";
   refused_file("a table without stress", large_strain_file(rubber, "set Planar table = zero.csv\n"),
                "zero.csv:2: 'stress'.*all stresses are 0");

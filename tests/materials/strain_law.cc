@@ -123,7 +123,7 @@ void check_small_strains(const StrainLawType &type, const StrainLaw &law)
   const double h = 1e-4;
   const Symmetric2 slope = (stress_of(law, at(h)) - stress_of(law, at(-h))) / (2. * h);
   check::absolute(type.name + ": 2 mu dev e", (slope - 2. * mu * deviator(e)).norm(), 0., 1e-6);
-  check::relative(type.name + ": shear modulus at rest", law.shear_modulus(), mu, 1e-15);
+  check::relative(type.name + ": shear modulus at zero strain", law.shear_modulus(), mu, 1e-15);
   const double trace_energy =
       law.has_own_mean_stress() ? 0.5 * bulk_modulus * trace(e) * trace(e) : 0.;
   // A difference of 1 + e and 1 would have two digits here.

@@ -344,6 +344,7 @@ void wall_of_saint_venant_and_kirchhoff()
   try
   {
     section.layers.back().strain_law_parameters.type = "neo hookean";
+    section.layers.back().set_strain_law();
     const SaintVenantKirchhoffTube other(section);
   }
   catch (const std::invalid_argument &)

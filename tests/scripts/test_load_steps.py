@@ -17,7 +17,7 @@ import continua  # noqa: E402
 
 class LoadSteps(unittest.TestCase):
     def test_uniaxial_tension(self):
-        """A block of Mooney-Rivlin rubber: with the stretch l the force over the area at rest is 2 (C1 + C2/l) (l - 1/l^2), after Rivlin
+        """A block of Mooney-Rivlin rubber: with the stretch l the force over the undeformed area is 2 (C1 + C2/l) (l - 1/l^2), after Rivlin
         (Phil. Trans. R. Soc. A 241 (1948) 379), with 2 C1 = 70 kPa and 2 C2 = 30 kPa. The whole load is 148.75 kPa."""
         with tempfile.TemporaryDirectory() as folder:
             output = os.path.join(folder, "run")

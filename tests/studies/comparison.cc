@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "../unit_test.h"
+#include "pulled_bar.h"
 
 namespace test_of_comparison
 {
@@ -19,46 +20,9 @@ namespace
 {
 const std::string parameter_file = "comparison-test.prm", output = "comparison-test";
 
-// A bar that is pulled, by linear and quadratic velocities: exact in both.
-const char *const text = R"(set Analysis = comparison
-set Model    = plane strain
-subsection Geometry
-  set Type = box
-  set Size = 2 m, 1 m
-end
-subsection Mesh
-  set Cells = 1, 1
-end
-subsection Materials
-  subsection body
-    set Type            = hookean
-    set Density         = 1000 kg/m^3
-    set Young's modulus = 1 MPa
-    set Poisson's ratio = 0.25
-  end
-end
-subsection Boundaries
-  subsection left
-    set Type = roller
-  end
-  subsection right
-    set Type     = traction
-    set Traction = 1 kPa, 0 Pa
-  end
-  subsection bottom
-    set Type = roller
-  end
-  subsection top
-    set Type = free
-  end
-end
-subsection Probes
-  subsection end
-    set Point  = 2 m, 0.5 m
-    set Fields = displacement x
-  end
-end
-subsection Comparison
+// By linear and quadratic velocities: exact in both.
+const std::string text = "set Analysis = comparison\n" + std::string(pulled_bar) +
+                         R"(subsection Comparison
   set Entry  = Finite element/Velocity degree
   set Values = 2, 3
   set Meshes = 0, 1

@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "../unit_test.h"
+#include "pulled_bar.h"
 
 namespace test_of_sweep
 {
@@ -24,50 +25,11 @@ namespace
 {
 const std::string parameter_file = "sweep-test.prm", output = "sweep-test";
 
-// A bar that is pulled in plane strain: (1 - nu^2)/Y times the traction is its strain, on any mesh.
-const char *const bar = R"(set Model    = plane strain
-subsection Geometry
-  set Type = box
-  set Size = 2 m, 1 m
-end
-subsection Mesh
-  set Cells = 1, 1
-end
-subsection Materials
-  subsection body
-    set Type            = hookean
-    set Density         = 1000 kg/m^3
-    set Young's modulus = 1 MPa
-    set Poisson's ratio = 0.25
-  end
-end
-subsection Boundaries
-  subsection left
-    set Type = roller
-  end
-  subsection right
-    set Type     = traction
-    set Traction = 1 kPa, 0 Pa
-  end
-  subsection bottom
-    set Type = roller
-  end
-  subsection top
-    set Type = free
-  end
-end
-subsection Probes
-  subsection end
-    set Point  = 2 m, 0.5 m
-    set Fields = displacement x
-  end
-end
-)";
-
 std::string sweep_of(const std::string &entries, const std::string &others = "")
 {
-  return "set Analysis = sweep\n" + std::string(bar) + "subsection Sweep\nset Analysis = steady\n" +
-         "set Parallel runs = 1\n" + others + "subsection Entries\n" + entries + "end\nend\n";
+  return "set Analysis = sweep\n" + std::string(pulled_bar) +
+         "subsection Sweep\nset Analysis = steady\n" + "set Parallel runs = 1\n" + others +
+         "subsection Entries\n" + entries + "end\nend\n";
 }
 
 /// Reads the file and, if asked for, performs it; the quantities by "PROBE: NAME".
@@ -230,12 +192,12 @@ UNIT_TEST(sweep)
   refuses("no such place", sweep_of("set Geometry/Size 7 = 1 m, 2 m\n"),
           "Give a place from 1 to 2");
   refuses("a study",
-          "set Analysis = sweep\n" + std::string(bar) +
+          "set Analysis = sweep\n" + std::string(pulled_bar) +
               "subsection Sweep\nset Analysis = comparison\nsubsection Entries\n" + one +
               "end\nend\n",
           "'comparison' is a study");
   refuses("no analysis",
-          "set Analysis = sweep\n" + std::string(bar) +
+          "set Analysis = sweep\n" + std::string(pulled_bar) +
               "subsection Sweep\nset Analysis = stedy\nsubsection Entries\n" + one + "end\nend\n",
           "Did you mean 'steady'");
   refuses("nothing is swept", sweep_of(""), "no entry is swept");
@@ -245,7 +207,7 @@ UNIT_TEST(sweep)
           "Sweep/Expected");
 
   // --sweep makes a sweep of the file's own analysis.
-  std::ofstream(parameter_file) << "set Analysis = modal\n" << bar;
+  std::ofstream(parameter_file) << "set Analysis = modal\n" << pulled_bar;
   CommandLine typed;
   typed.parameter_file = parameter_file;
   typed.sweeps = {"Materials/body/Young's modulus=1 MPa, 2 MPa", "Mesh/Cells 1 = 1 to 2 in 2"};

@@ -199,7 +199,7 @@ UNIT_TEST(loaded_tube)
   check::relative("viscosity", shear.viscosity * of_thin_layer, 7. * slope, 1e-6);
   check::relative("spring: slope of its pressure",
                   shear.branches.at(0).shear_modulus * of_thin_layer, rubber.stiffness(a), 1e-9);
-  // Mass of the wall over its present area: that at rest over the area at rest here.
+  // Mass of the wall over its present area: the undeformed one over the undeformed area here.
   check::relative("density", section.layers.at(0).density, 1050., 1e-12);
   // By the areas of the layers, 0.26 and 0.13 mm from 1.43 mm on.
   check::relative("density of a stretched artery", about.layers.at(0).density,

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "../unit_test.h"
+#include "../viscoelastic_solid.h"
 
 namespace test_of_uniaxial_response
 {
@@ -16,19 +17,6 @@ using namespace Continua;
 namespace
 {
 const double never = std::numeric_limits<double>::infinity();
-
-Material material(const double inverse_bulk_modulus,
-                  const double viscosity,
-                  const std::vector<Branch> &branches,
-                  const std::vector<BulkBranch> &bulk_branches = {})
-{
-  Material result;
-  result.compression = bulk_branches.empty() ? Compression::elastic(inverse_bulk_modulus)
-                                             : Compression::relaxing(bulk_branches);
-  result.shear.viscosity = viscosity;
-  result.shear.branches = branches;
-  return result;
-}
 
 double quadrature(const std::function<double(double)> &function, const double a, const double b)
 {
@@ -99,7 +87,7 @@ UNIT_TEST(uniaxial_response)
     check::relative("inverse of the inverse: rate", twice.lines()[0].rate, 1., 1e-13);
   }
   {
-    const UniaxialResponse hookean(material(1. / k, 0., {{mu, never}}));
+    const UniaxialResponse hookean(viscoelastic_solid(1. / k, 0., {{mu, never}}));
     const double young = 9. * k * mu / (3. * k + mu);
     check::relative("hookean: held", hookean.ramp_stress(0.01, 0.2, 5.), 0.01 * young, 1e-14);
     check::relative("hookean: half loaded", hookean.ramp_stress(0.01, 0.2, 0.1), 0.005 * young,
@@ -110,7 +98,7 @@ UNIT_TEST(uniaxial_response)
   }
   {
     // Incompressible Kelvin-Voigt: sigma = 3 (mu eps + eta deps/dt).
-    const UniaxialResponse solid(material(0., eta, {{mu, never}}));
+    const UniaxialResponse solid(viscoelastic_solid(0., eta, {{mu, never}}));
     check::relative("kelvin-voigt: creep", solid.step_strain(10., 0.25),
                     10. / (3. * mu) * (1. - std::exp(-2.5)), 1e-13);
     check::relative("kelvin-voigt: loading", solid.ramp_stress(0.01, 0.2, 0.1),
@@ -121,7 +109,7 @@ UNIT_TEST(uniaxial_response)
   }
   {
     // Incompressible Maxwell: the flow rate is stress/(3 mu tau) for ever.
-    const UniaxialResponse solid(material(0., 0., {{mu, tau}}));
+    const UniaxialResponse solid(viscoelastic_solid(0., 0., {{mu, tau}}));
     check::relative("maxwell: creep", solid.step_strain(10., 0.25), 10. / (3. * mu) * (1. + 2.5),
                     1e-13);
     check::relative("maxwell: held", solid.ramp_stress(0.01, 0.2, 0.5),
@@ -129,7 +117,7 @@ UNIT_TEST(uniaxial_response)
   }
   {
     // Compressible Maxwell: Y(s)/s = 9 K mu/(3 K (s + 1/tau) + mu s): one rate, slower than 1/tau.
-    const UniaxialResponse solid(material(1. / k, 0., {{mu, tau}}));
+    const UniaxialResponse solid(viscoelastic_solid(1. / k, 0., {{mu, tau}}));
     const double rate = 3. * k / (3. * k + mu) / tau, young = 9. * k * mu / (3. * k + mu);
     check::is_true("compressible maxwell: one exponential", solid.relaxation().lines().size() == 1);
     check::relative("compressible maxwell: rate", solid.relaxation().lines()[0].rate, rate, 1e-13);
@@ -139,14 +127,15 @@ UNIT_TEST(uniaxial_response)
 
   const std::vector<Branch> branches = {{1000., never}, {2000., 0.1}, {500., 1.},
                                         {300., 1e-4},   {800., 30.},  {100., 0.11}};
-  check_modulus("elastic volume change", material(1. / k, 0., branches));
-  check_modulus("incompressible", material(0., 0., branches));
-  check_modulus("with a dash pot", material(1. / k, 3., branches));
-  check_modulus("no spring", material(1. / k, 0., {{2000., 0.1}, {500., 1.}}));
-  check_modulus("volume change that relaxes",
-                material(1. / 5000., 0., branches, {{2000., never}, {2000., 0.5}, {1000., 0.1}}));
-  check_modulus("all of it relaxes",
-                material(1. / 3000., 0., {{2000., 0.1}, {500., 1.}}, {{2000., 0.1}, {1000., 3.}}));
+  check_modulus("elastic volume change", viscoelastic_solid(1. / k, 0., branches));
+  check_modulus("incompressible", viscoelastic_solid(0., 0., branches));
+  check_modulus("with a dash pot", viscoelastic_solid(1. / k, 3., branches));
+  check_modulus("no spring", viscoelastic_solid(1. / k, 0., {{2000., 0.1}, {500., 1.}}));
+  check_modulus(
+      "volume change that relaxes",
+      viscoelastic_solid(1. / 5000., 0., branches, {{2000., never}, {2000., 0.5}, {1000., 0.1}}));
+  check_modulus("all of it relaxes", viscoelastic_solid(1. / 3000., 0., {{2000., 0.1}, {500., 1.}},
+                                                        {{2000., 0.1}, {1000., 3.}}));
 
   // The power law: the thesis's wall.
   const PowerLawResponse wall{1.3e6, 0.065};

@@ -126,7 +126,7 @@ public:
   const std::vector<VolumeFace<dim>> &faces() const { return surfaces; }
   unsigned int n_owned_cells() const { return n_owned; }
   bool is_axisymmetric() const { return axisymmetric; }
-  /// Where a point of a cell is, from its place at rest and the coordinates in the unit cell [m].
+  /// Where a point of a cell is [m], from its undeformed place and its coordinates in the cell.
   dealii::Point<dim> present_place(unsigned int cell,
                                    const dealii::Point<dim> &unit_point,
                                    const dealii::Point<dim> &undeformed) const;

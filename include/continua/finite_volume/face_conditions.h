@@ -26,7 +26,7 @@ public:
     unsigned int index = 0;           ///< local, of its velocity's first component
     unsigned int condition = 0;       ///< its number
     double weight = 0.;               ///< of its equations: area, on the axis plane area
-    std::array<double, 3> place = {}; ///< of its centre at rest, which formulas have [m]
+    std::array<double, 3> place = {}; ///< of its undeformed centre, which formulas have [m]
     /// Projector on the directions in which the velocity is prescribed.
     dealii::Tensor<2, dim> prescribed;
     bool normal_is_prescribed = false;

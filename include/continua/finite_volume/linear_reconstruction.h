@@ -43,7 +43,7 @@ public:
    * grows for ever in a stream and says nothing of where its surface is. So a face between a liquid
    * and a solid is the solid's, whose gradient counts along it, and a face on which the liquid's
    * velocity is prescribed has one value all over. On a mesh that moves the solids see their own
-   * place, that at rest.
+   * place, the undeformed one.
    */
   Stencil<double> displacement(const CellPlace &place,
                                const dealii::Point<dim> &point,

@@ -15,7 +15,7 @@ namespace Continua
 {
 /**
  * Extends displacements of some vertices to those of the cells of liquids: the cells are a linear
- * elastic body on the mesh at rest,
+ * elastic body on the undeformed mesh,
  *
  *   int k ( 2 eps(d) : eps(z) + 2 div d div z ) dV = 0,
  *

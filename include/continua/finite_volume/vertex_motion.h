@@ -38,7 +38,7 @@ public:
                const Problem &problem,
                const LinearReconstruction<dim> &reconstruction);
 
-  /// The mesh at rest has changed. Collective. Throws RunError.
+  /// The undeformed mesh has changed. Collective. Throws RunError.
   void reinit();
   /// Zeros.
   DistributedVector vector() const { return DistributedVector(owned, space.communicator); }
@@ -66,8 +66,8 @@ public:
   DistributedVector ghosted_displacement() const { return ghosted(next); }
   const dealii::DoFHandler<dim> &dofs() const { return vertex_dofs; }
 
-  /// The least ratio of the volume at a corner of a liquid's cell to that at rest, with its place
-  /// at rest: "in the region 'liquid' near (0.1, 0.2) m".
+  /// The least ratio of the volume at a corner of a liquid's cell to the undeformed one, with its
+  /// undeformed place: "in the region 'liquid' near (0.1, 0.2) m".
   struct Quality
   {
     double least_volume_ratio = 1.;
@@ -97,7 +97,7 @@ private:
   {
     unsigned int index; ///< local
     unsigned int condition, component;
-    std::array<double, 3> place; ///< at rest [m]
+    std::array<double, 3> place; ///< undeformed [m]
   };
 
   const CellWiseSpace<dim> &space;

@@ -27,7 +27,7 @@ const Words<HomogeneousTestType> &homogeneous_test_words();
 struct HomogeneousTestPoint
 {
   double strain_measure = 0.;    ///< the stretch or the amount of shear [1]
-  double nominal_stress = 0.;    ///< force over area at rest [Pa]
+  double nominal_stress = 0.;    ///< force over undeformed area [Pa]
   double cauchy_stress = 0.;     ///< force over the present area [Pa]
   double tangent_modulus = 0.;   ///< d(nominal stress)/d(measure) [Pa]
   double normal_difference = 0.; ///< sigma_00 - sigma_11 [Pa]

@@ -75,8 +75,8 @@ private:
   void curve(const std::string &name, HomogeneousTestType type);
   /// A load [Pa] at a stretch, and its derivative by the stretch [Pa].
   using LoadAndSlope = std::function<std::pair<double, double>(double)>;
-  /// States the first extreme of the load on each side of rest within the range of the stretches,
-  /// as a line and as quantities; nothing where there is none.
+  /// States the first extreme of the load on each side of no strain within the range of the
+  /// stretches, as a line and as quantities; nothing where there is none.
   void state_limit_points(const std::string &test,
                           const std::string &load,
                           const LoadAndSlope &load_and_slope);

@@ -2,8 +2,10 @@
 #define continua_laboratory_material_fit_parameters_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/theory/bar_law.h>
 #include <continua/theory/bar_record.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,8 @@ enum class TableNoise
 /// The section `Material fit`: tables of tests of a bar, and the law that is sought.
 struct MaterialFitParameters
 {
-  std::string law = "best";       ///< or one of BarLaw::types()
+  /// That is asked for; null: the one with the least criterion.
+  std::shared_ptr<const BarLaw> law;
   unsigned int n_branches = 0;    ///< of a Prony series; 0: by the criterion
   unsigned int most_branches = 8; ///< that are tried
   double poissons_ratio = 0.5;    ///< [1]

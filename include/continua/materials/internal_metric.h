@@ -11,7 +11,7 @@ namespace Continua
  *
  *   dA/dt = (Cb^-1 - A)/tau,   Cb = J^-2/3 F^T F,   stress mu J^-2/3 dev(F A F^T)
  *
- * A stays symmetric and positive definite. A body at rest has A = Cb^-1 and no stress, since
+ * A stays symmetric and positive definite. A relaxed body has A = Cb^-1 and no stress, since
  * dev(F Cb^-1 F^T) = 0. At small strains this is the linear branch of Shear. At constant volume
  * F A F^T obeys the upper-convected Maxwell model (Oldroyd, Proc. R. Soc. A 200 (1950) 523).
  */

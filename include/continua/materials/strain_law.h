@@ -45,7 +45,7 @@ public:
   /// Energy of the change of shape per reference volume [J/m^3]; of laws with a mean stress of
   /// their own the whole energy.
   virtual double energy(const PointStrain &strain) const = 0;
-  /// Shear modulus at rest, of the isotropic part [Pa].
+  /// Shear modulus at zero strain, of the isotropic part [Pa].
   virtual double shear_modulus() const = 0;
   /// Whether the mean stress follows from the law itself (St. Venant-Kirchhoff) instead of from the
   /// material's volume law ln J + g(p) = 0.

@@ -43,7 +43,7 @@ const std::vector<StrainLawType> &strain_law_types();
 /// The row of that name; throws std::logic_error if there is none.
 const StrainLawType &strain_law_type(const std::string &name);
 
-/// The law of a material with that shear modulus at rest and bulk modulus [Pa] (infinite:
+/// The law of a material with that shear modulus at zero strain and bulk modulus [Pa] (infinite:
 /// incompressible).
 std::unique_ptr<StrainLaw>
 make_strain_law(const StrainLawParameters &parameters, double shear_modulus, double bulk_modulus);

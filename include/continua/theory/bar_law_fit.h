@@ -6,7 +6,7 @@
 #include <continua/inference/fit_result.h>
 #include <continua/theory/bar_law_start.h>
 
-#include <string>
+#include <memory>
 #include <vector>
 
 namespace Continua
@@ -15,19 +15,19 @@ namespace Continua
 class BarModel : public FitModel
 {
 public:
-  /// The records must outlive this.
+  /// The law and the records must outlive this.
   BarModel(const BarLaw &law, const std::vector<BarRecord> &records);
   std::vector<Prediction> predict(const std::vector<std::vector<double>> &sets) override;
 
 private:
-  const BarLaw law;
+  const BarLaw &law;
   const std::vector<BarRecord> &records;
 };
 
 /// A law that follows the records as closely as it can.
 struct BarLawFit
 {
-  BarLaw law;
+  std::shared_ptr<const BarLaw> law;
   std::vector<FitParameter> parameters; ///< the constants, with start and bounds
   FitResult result;
   /// Root of the mean square of each record's residuals, over the units of its noise [1].

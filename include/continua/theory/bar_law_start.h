@@ -4,6 +4,7 @@
 #include <continua/theory/bar_law.h>
 #include <continua/theory/bar_record.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace Continua
 /// Where the search for a law begins.
 struct BarLawStart
 {
-  BarLaw law;
+  std::shared_ptr<const BarLaw> law;
   std::vector<double> constants; ///< in SI, in the order of BarLaw::constants()
 };
 
@@ -20,9 +21,10 @@ struct BarLawStart
 /// before the first row on, of frequencies 1/(2 pi f).
 std::pair<double, double> times_of(const std::vector<BarRecord> &records);
 
-/// Constants of a law with one time or one exponent at most (not prony): these are scanned, the
+/// Constants of a law with one time or one exponent at most (no branches): these are scanned, the
 /// modulus is the one of least squares of the logarithms.
-BarLawStart start_of_scan(const BarLaw &law, const std::vector<BarRecord> &records);
+BarLawStart start_of_scan(const std::shared_ptr<const BarLaw> &law,
+                          const std::vector<BarRecord> &records);
 
 /**
  * Prony series of 0 (hookean), 1, 2, ... branches, `most_branches` at most. Moduli of as many as

@@ -34,7 +34,7 @@ private:
     double inner, outer;    ///< radii at rest [m]
     double lambda, modulus; ///< Lame's [Pa]
   };
-  /// At a place at rest: the present radius [m] and P across the wall [Pa].
+  /// At an undeformed place: the present radius [m] and P across the wall [Pa].
   struct State
   {
     double radius, stress;

@@ -17,22 +17,8 @@ Needs scipy.
 import cmath
 import math
 
+from resonances import newton, print_resonance
 from scipy import special
-
-
-def newton(function, s):
-    """The zero of an analytic function next to s."""
-    for _ in range(80):
-        step = 1e-5 * abs(s)
-        change = function(s) * 2 * step / (function(s + step) - function(s - step))
-        s -= change
-        if abs(change) < 1e-13 * abs(s):
-            return s
-    raise SystemExit("Newton's method does not converge")
-
-
-def print_resonance(name, number, s):
-    print(f"{name} {number}: natural {abs(s) / (2 * math.pi):.6f} Hz, {s.imag / (2 * math.pi):.6f} Hz, damping ratio {-s.real / abs(s):.7f}")
 
 
 def branch(s, modulus, time):
@@ -51,14 +37,14 @@ def plane_bar(stretch=1.3, shear=1e5, length=0.5, density=1000.0, modulus=3e4, t
 
 
 def supported_bar(stretch=1.25, shear=1e5, length=0.5, density=1000.0, modulus=3e4, time=0.05, spring=1e5, damping=2e3):
-    end = spring * (stretch - 1) * length  # of the support, over the area at rest
+    end = spring * (stretch - 1) * length  # of the support, over the undeformed area
     print(f"supported bar: pressure {-(shear * (stretch**2 - 1 / stretch) + end * stretch):.6f} Pa")
     for frequency in (0.0, 1.0, 3.0):
         s = 2j * math.pi * frequency
         slope = shear * (1 + 2 * stretch**-3) + 3 * branch(s, modulus, time) / stretch**2
         k = cmath.sqrt(-density * s**2 / slope)
         per_amplitude = (k / cmath.tan(k * length) if frequency else 1 / length)  # u'(L)/u(L)
-        # The pressure p follows the end: its force a unit area at rest is p/l.
+        # The pressure p follows the end: its force a unit of undeformed area is p/l.
         end_slope = slope + (shear * (stretch**2 - 1 / stretch) + end * stretch) / stretch**2
         amplitude = -1 / stretch / (end_slope * per_amplitude + spring + s * damping)
         print(f"supported bar at {frequency} Hz: {abs(amplitude):.9e} m/Pa, {cmath.phase(amplitude):.7f} rad")

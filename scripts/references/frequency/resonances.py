@@ -20,7 +20,7 @@ from scipy import special
 
 def newton(function, s):
     """The zero of an analytic function next to s."""
-    for _ in range(50):
+    for _ in range(80):
         step = 1e-5 * abs(s)
         change = function(s) * 2 * step / (function(s + step) - function(s - step))
         s -= change

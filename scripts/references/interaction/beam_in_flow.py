@@ -7,7 +7,7 @@ Prints the displacement of the tip, drag and lift for meshes of gmsh whose trian
 unless the command line gives others; 4 minutes of one core for all of them).
 
 FEniCS solves the steady equations at once for the velocity v of the liquid, the displacement u of beam and mesh (quadratic triangles) and the pressure p of
-the liquid (linear ones), over the mesh at rest, with F = I + Grad u and J = det F. With all test functions it finds
+the liquid (linear ones), over the undeformed mesh, with F = I + Grad u and J = det F. With all test functions it finds
 
     liquid:  J sigma F^-T : Grad(test) + rho J (grad v v).test = 0,  J div v = 0,  sigma = -p I + eta (grad v + grad v^T)
     beam:    F S : Grad(test) = 0,  S = 2 mu E + lambda tr(E) I  (St. Venant and Kirchhoff)

@@ -37,7 +37,7 @@ SLOPE = a * x  # of the interface
 
 
 def at_place(expression):
-    """A function of the place at rest as one of the present place."""
+    """A function of the undeformed place as one of the present place."""
     at_rest = y - a * x**2 / 2
     return sympy.sympify(expression).subs({X: x - c * (at_rest - 1)**2, Y: at_rest}, simultaneous=True)
 

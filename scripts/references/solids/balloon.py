@@ -9,7 +9,7 @@ is held. With the hoop stretch k = r/R the law W = mu1/2 (I1 - 3) + mu2/2 (I2 - 
     sphere   hoop - radial = mu1 (k^2 - k^-4) + mu2 (k^4 - k^-2)
     tube     hoop - radial = (mu1 + mu2) (k^2 - k^-2)
 and the pressure inside is the integral of 2 (sphere) or 1 (tube) times (hoop - radial)/r over the wall, here by adaptive quadrature. The
-volume of the cavity over that at rest is (a/A)^3 or (a/A)^2. The neo-Hookean sphere has the closed solution of finite_strain_sphere.py beside it.
+volume of the cavity over the undeformed one is (a/A)^3 or (a/A)^2. The neo-Hookean sphere has the closed solution of finite_strain_sphere.py beside it.
 No finite elements are in it.
 """
 
@@ -25,7 +25,7 @@ INNER = 1.0  # A [m]
 
 
 def sphere_pressure(ratio, outer, share):
-    """Of the volume ratio of the cavity, the outer radius at rest [m] and mu2/mu [Pa]."""
+    """Of the volume ratio of the cavity, the undeformed outer radius [m] and mu2/mu [Pa]."""
     grown = (ratio - 1) * INNER**3
 
     def rate(r):

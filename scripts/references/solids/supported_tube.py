@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""A tube in tissue that pushes its outside back by k times its displacement, over the area at rest: references of the files
+"""A tube in tissue that pushes its outside back by k times its displacement, over the undeformed area: references of the files
 supported-*.prm.
 
     scripts/references/solids/supported_tube.py
 
 Small deformation, ends held axially (Lame): u = A r + B/r, sigma_r = 2 mu (A/(1 - 2 nu) - B/r^2), sigma_r(a) = -p and
 sigma_r(b) = -k u(b).
-Incompressible neo-Hookean wall in large deformation: the tissue pushes by k (b - B) on the area at rest, k (b - B) B/b on the
+Incompressible neo-Hookean wall in large deformation: the tissue pushes by k (b - B) on the undeformed area, k (b - B) B/b on the
 present one, so that p = mu (ln(a B/(A b)) + (a^2 - A^2)/2 (1/a^2 - 1/b^2)) + k (b - B) B/b, b^2 = a^2 + B^2 - A^2.
 A rod of the length L in waves along itself, free at one end, with k at the other: M kappa tan(kappa L) = k, f = c kappa/(2 pi).
 A rigid block on a spring and a damper: m u'' + c u' + k u = 0, per area of its base.

@@ -24,7 +24,7 @@ N = 400  # intervals of the trapezoidal and of Simpson's rule
 
 
 def pressure(a):
-    """Simpson's rule over the wall at rest."""
+    """Simpson's rule over the undeformed wall."""
     total = 0.0
     for i in range(N + 1):
         big = A + (B - A) * i / N
@@ -99,7 +99,7 @@ def measured(path, station, level, is_peak):
 def main():
     rows = characteristics()
     peak = at_flow_rate(rows, FLOW)
-    print(f"without load: c = {rows[0][1]:.5f} m/s; at the peak: {peak[0]:.3f} Pa, radius {peak[3] / A:.5f} of that at rest, u = {peak[2]:.5f} m/s, u + c = {peak[1]:.5f} m/s")
+    print(f"without load: c = {rows[0][1]:.5f} m/s; at the peak: {peak[0]:.3f} Pa, radius {peak[3] / A:.5f} of the undeformed one, u = {peak[2]:.5f} m/s, u + c = {peak[1]:.5f} m/s")
     for station in STATIONS:
         for share in (0.25, 0.5, 0.75, 1.0):
             level, up, down = arrivals(rows, share, station)

@@ -132,7 +132,8 @@ void check_cavity(const Case<dim> &input, const BoundaryCondition &condition, Pa
     if (ratio > 0.)
       continue;
     std::ostringstream text;
-    text << "the volume is " << ratio << " of that at rest at t = " << (is_in_time ? time : 0.)
+    text << "the volume is " << ratio
+         << " of the undeformed one at t = " << (is_in_time ? time : 0.)
          << " s, and has to be positive";
     section.refuse(section.given("Volume ratio") ? "Volume ratio" : "", text.str(),
                    "Give the volume over that in the mesh, such as 1 + 0.5*t");
@@ -215,7 +216,7 @@ void check_initial_state(const InteriorData &interior, const ParameterSection &i
   if (interior.initial_displacement.empty() && !interior.initial_pressure.empty())
     initial_state.refuse(
         "Pressure",
-        "a body without displacement has the volume of rest, and so no pressure of its own",
+        "a body without displacement has its undeformed volume, and so no pressure of its own",
         "Leave it out, give the displacement to which it belongs (p = -K ln J), or set "
         "Initial state/Type = steady");
 }

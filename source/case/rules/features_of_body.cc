@@ -22,6 +22,13 @@ bool is_hookean(const Material &material)
          std::isinf(material.shear.branches.front().relaxation_time) &&
          material.shear.viscosity == 0. && material.compression.bulk_branches().empty();
 }
+
+/// Springs of which none holds: it flows in the end.
+bool is_maxwell_fluid(const Material &material)
+{
+  return material.is_solid() && !material.has_power_law() &&
+         material.long_term_shear_modulus() == 0.;
+}
 } // namespace
 
 template <int dim>
@@ -46,7 +53,7 @@ FeatureGroup<dim> liquids_as_features()
                       [](Input, const Material &material)
                       { return !material.is_solid() && !material.is_incompressible(); }),
        of_region<dim>("maxwell liquid", "Materials/<region>/Type = maxwell",
-                      [](Input, const Material &material) { return material.type == "maxwell"; }),
+                      [](Input, const Material &material) { return is_maxwell_fluid(material); }),
        of_input<dim>("no convection", "Convection = none",
                      [](Input input) { return !input.problem.convection.is_on; }),
        of_input<dim>("convection", "Convection = navier stokes",
@@ -133,11 +140,7 @@ FeatureGroup<dim> solids_as_features()
        of_region<dim>("power law", "Materials/<region>/Type = power law",
                       [](Input, const Material &material) { return material.has_power_law(); }),
        of_region<dim>("solid without a spring that holds", "Materials/<region>/Type = maxwell",
-                      [](Input, const Material &material)
-                      {
-                        return material.is_solid() && !material.has_power_law() &&
-                               material.long_term_shear_modulus() == 0.;
-                      }),
+                      [](Input, const Material &material) { return is_maxwell_fluid(material); }),
        of_region<dim>("material that is no Hookean solid", "Materials/<region>/Type",
                       [](Input, const Material &material) { return !is_hookean(material); }),
        of_region<dim>("incompressible material", "Materials/<region>/Bulk modulus = none",

@@ -128,7 +128,7 @@ std::vector<Rule> rules_of_deformation()
        "Set Update = implicit"},
       {{"subsection Exact solution"},
        {"cell-wise mesh that moves"},
-       "the error is an integral over the mesh at rest, and the mesh moves",
+       "the error is an integral over the undeformed mesh, and the mesh moves",
        "Remove the section, and compare probes"},
       {{"set Exact solution/Stress"},
        {"finite deformation"},

@@ -154,7 +154,8 @@ std::vector<Rule> rules_of_moving_cells()
        "Set Convection = navier stokes" + or_taylor_hood},
       {{"outlet"},
        {"cell-wise mesh that moves"},
-       "on the cell-wise path the flow rate of an outlet is the one through the section at rest, "
+       "on the cell-wise path the flow rate of an outlet is the one through the undeformed "
+       "section, "
        "and the mesh moves",
        "Prescribe a pressure, or set Discretisation = taylor hood"},
       {{"crank nicolson"},

@@ -18,7 +18,7 @@ void check_layers(const Problem &problem, ParameterSection materials)
     ParameterSection section = materials.subsection(problem.regions[region]);
     if (layer.has_power_law())
       section.refuse("Type",
-                     "a power law has no modulus at rest, on which a strain law could be based",
+                     "a power law has no long-term modulus, on which a strain law could be based",
                      "Set Type = prony, or Deformation = small");
     if (layer.long_term_shear_modulus() == 0.)
       section.refuse("Type",
@@ -99,7 +99,7 @@ const BoundaryCondition *smallest_pressure(const Case<dim> &input,
 }
 
 /// Whether a branch is uniform and keeps its length, free to widen at its ends, and theory knows
-/// the state of its wall at rest.
+/// the steady state of its wall.
 template <int dim>
 bool is_held_along(const Case<dim> &input, const VesselBranch<dim> &branch)
 {

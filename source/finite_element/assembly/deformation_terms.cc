@@ -16,7 +16,7 @@ using namespace dealii;
 
 namespace
 {
-/// Of the terms of a stress at rest, which cancel: what of them a residual keeps is far below.
+/// Of the terms of a stress in balance, which cancel: what of them a residual keeps is far below.
 constexpr double least_share = 0.1;
 } // namespace
 
@@ -236,7 +236,8 @@ void DeformationTerms<dim>::refuse_inversion(const double least_ratio,
       place +
       (step.finds_unloaded_shape
            ? ": its volume is not positive there; more Steady/Load steps or a finer mesh help"
-           : ": the ratio of its volume to that at rest is not positive there; a smaller time "
+           : ": the ratio of its volume to the undeformed one is not positive there; a smaller "
+             "time "
              "step, "
              "loads that begin smoothly or a finer mesh help"));
 }

@@ -24,7 +24,7 @@ bool body_force_follows(const Problem &problem, const unsigned int region)
   if (!problem.is_deformed(region))
     return false;
   const InteriorData &interior = problem.interior;
-  // The matter of a solid keeps its mass and its volume at rest.
+  // The matter of a solid keeps its mass and its undeformed volume.
   if (!problem.materials[region].is_solid())
     return !interior.acceleration.empty() || !interior.body_force.empty();
   return body_force_depends_on_space(interior);
@@ -52,7 +52,7 @@ bool traction_follows(const Problem &problem,
                       const BoundaryPart &part,
                       const bool along_normal)
 {
-  // A pressure is normal to the present face of a solid; a traction is that of its face at rest.
+  // A pressure is normal to the present face of a solid; a traction is that of its undeformed face.
   return problem.is_deformed(region) &&
          (!problem.materials[region].is_solid() || (along_normal && part.negative));
 }

@@ -116,8 +116,8 @@ private:
     }
     return derivatives;
   }
-  /// Makes the normal F^-1 n, along which the gradient by the place at rest is the derivative along
-  /// the present normal n, and the weight that of da.
+  /// Makes the normal F^-1 n, along which the gradient by the undeformed place is the derivative
+  /// along the present normal n, and the weight that of da.
   static void move(const Kinematics &motion, Tensor<1, dim> &along, double &weight)
   {
     Tensor<1, 3> normal;

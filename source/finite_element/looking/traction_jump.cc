@@ -284,7 +284,7 @@ void traction_jump_indicators(const Space<dim> &space,
               difference -= given(here.place(q), normal);
             else
             {
-              // A pressure acts on the present area, all else on that at rest.
+              // A pressure acts on the present area, all else on the undeformed one.
               const double pressure = prescribed_pressure(condition, place, time);
               Tensor<1, dim> dead = given(place, undeformed_normal) + pressure * undeformed_normal;
               if (condition.is_supported())

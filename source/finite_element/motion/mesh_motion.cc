@@ -490,7 +490,7 @@ template <int dim>
 void MeshMotion<dim>::extend(const DistributedVector &solid_displacement,
                              DistributedVector &mesh_displacement)
 {
-  // The elastic extension is linear from the mesh at rest on.
+  // The elastic extension is linear from the undeformed mesh on.
   const bool from_undeformed = kind == MeshMotionKind::elastic;
   for (unsigned int i = 0; i < is_of_solid.size(); ++i)
     known.begin()[i] =

@@ -13,7 +13,7 @@ namespace
 {
 /// Of a factor of the linear displacements, for each unknown of the mesh [bytes].
 constexpr double most_bytes_of_factor = 250.;
-/// With P of MeshStress at rest, 2 k dev eps + lambda div d: lambda over k.
+/// With P of MeshStress in the undeformed mesh, 2 k dev eps + lambda div d: lambda over k.
 constexpr double mean_of_hyperelastic = 2. / 3., mean_of_elastic = 2. / 3. + 2.;
 } // namespace
 

@@ -49,7 +49,7 @@ void MovingMesh<dim>::check(const StepSolution &state)
     return;
   std::ostringstream text;
   text << "the mesh is turned inside out " << quality.place
-       << ": the ratio of its volume to that at rest is " << quality.least_volume_ratio
+       << ": the ratio of its volume to the undeformed one is " << quality.least_volume_ratio
        << " there; a smaller time step, loads that begin smoothly, Mesh = slides on "
           "a plane boundary along which it moves, another Mesh motion or a coarser mesh beside "
           "what moves help";
@@ -68,7 +68,7 @@ void MovingMesh<dim>::finish_step(const StepSolution &solution)
   std::ostringstream text;
   text << "at t = " << solution.step.time << " s the mesh is compressed " << worst.place
        << (worst.place.empty() ? "to " : " to ") << worst.least_volume_ratio
-       << " of its volume at rest; below " << least_good_volume_ratio
+       << " of its undeformed volume; below " << least_good_volume_ratio
        << " results there lose digits, and at 0 the run ends";
   log.warning(text.str());
 }

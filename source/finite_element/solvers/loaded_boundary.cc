@@ -103,7 +103,7 @@ DistributedVector LoadedBoundary<dim>::following_forces(const unsigned int numbe
   {
     if (!has_following_traction(problem, region, condition))
       return {};
-    // A pressure on a solid is that of the place at rest, a traction on a liquid that of the
+    // A pressure on a solid is that of the undeformed place, a traction on a liquid that of the
     // present place.
     if (problem.materials[region].is_solid())
       return -condition.normal.along_normal(coordinates(point.place).data(), time) * area;

@@ -18,8 +18,8 @@ namespace Continua
 /**
  * From what terms give at the quadrature points of a face: the rows of its cell, and the matrix of
  * their derivative. As CellAssembly it differentiates the terms in the few directions at a point:
- * the value and the derivatives, by the place at rest, of each component of velocity, and the value
- * of the pressure. Velocities stand component by component.
+ * the value and the derivatives, by the undeformed place, of each component of velocity, and the
+ * value of the pressure. Velocities stand component by component.
  */
 template <int dim>
 class FaceAssembly

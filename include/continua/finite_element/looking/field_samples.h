@@ -97,7 +97,7 @@ public:
            double weight,
            const SampledShare &share = {});
 
-  /// Of the present shape, where the share of the point is not that at rest.
+  /// Of the present shape, where the share of the point is not the undeformed one.
   double weight(const SampledState<dim> &state, unsigned int point) const;
   /// At rest; on a mesh that moves the present one [m].
   dealii::Point<dim> place(const SampledState<dim> &state, unsigned int point) const;

@@ -11,8 +11,8 @@
 namespace Continua
 {
 /// The motion at a quadrature point of a cell, for which values and gradients of the velocity's
-/// element were made on the mesh at rest; `indices`: of the cell's velocities, `displacement`: with
-/// ghost entries [m]. The point must not lie on the axis.
+/// element were made on the undeformed mesh; `indices`: of the cell's velocities, `displacement`:
+/// with ghost entries [m]. The point must not lie on the axis.
 template <int dim>
 Kinematics kinematics_at(const Space<dim> &space,
                          const dealii::FEValuesBase<dim> &values,

@@ -46,7 +46,7 @@ struct MeshSolver
 /**
  * The motion of the mesh of the liquids, whose places are X + d: d is the displacement D of the
  * solids at their nodes, and is extended into the liquids by the equilibrium of a body that fills
- * them. With k = 1/(volume of the cell times its distance from what moves), on the mesh at rest,
+ * them. With k = 1/(volume of the cell times its distance from what moves), on the undeformed mesh,
  *
  *   elastic:       int k ( 2 eps(d) : eps(z) + 2 div d div z ) dV = 0
  *   hyperelastic:  the energy int k (tr C - 2 ln J)/2 dV is least; a step takes one Newton step of
@@ -72,7 +72,7 @@ public:
   /// Both must outlive it.
   MeshMotion(const Space<dim> &space, const Problem &problem);
 
-  /// The mesh at rest has changed. Collective. Throws RunError.
+  /// The undeformed mesh has changed. Collective. Throws RunError.
   void reinit(const MeshSolver &solver);
   /// A step begins from the present state. Collective. Throws RunError.
   void begin_step(const Step &step);

@@ -17,8 +17,8 @@ namespace Continua
 /**
  * The linear equations of MeshMotion without a matrix, for quadratic displacements: conjugate
  * gradients by products of MatrixFreeMesh, preconditioned by a PolynomialCycle. The cycle is that
- * of the mesh at rest and serves the whole run: it depends on no state, and a mesh that is deformed
- * has an operator of the same kind.
+ * of the undeformed mesh and serves the whole run: it depends on no state, and a mesh that is
+ * deformed has an operator of the same kind.
  */
 template <int dim>
 class MeshMultigrid

@@ -64,7 +64,7 @@ private:
 
   using Point = FlowPoint<dim, Lanes>;
 
-  /// What the motion of the mesh makes of integrals over the mesh at rest, at a point.
+  /// What the motion of the mesh makes of integrals over the undeformed mesh, at a point.
   struct Motion
   {
     Vector2 inverse;         ///< F^-1 in the plane or in space [1]

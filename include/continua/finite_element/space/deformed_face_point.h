@@ -24,7 +24,7 @@ struct DeformedFacePoint
   dealii::Tensor<1, 3> area; ///< N dA at rest, out of the body [m^2]
   double hoop = 0.;          ///< 1/R in axisymmetry, else 0 [1/m]
   std::vector<double> values;
-  std::vector<dealii::Tensor<1, dim>> gradients; ///< by the place at rest [1/m]
+  std::vector<dealii::Tensor<1, dim>> gradients; ///< by the undeformed place [1/m]
 
   unsigned int n_functions() const { return values.size(); }
   Kinematics kinematics(const dealii::Vector<double> &displacement) const;

@@ -12,7 +12,7 @@
 
 namespace Continua
 {
-/// The mesh of the liquids as a body, at a point of the mesh at rest. Its unknown is the
+/// The mesh of the liquids as a body, at a point of the undeformed mesh. Its unknown is the
 /// displacement of the mesh, in the place of the velocity of a PointChange. `Number`: double, or
 /// several points at once.
 template <typename Number = double>

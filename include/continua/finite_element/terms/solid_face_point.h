@@ -8,8 +8,8 @@
 
 namespace Continua
 {
-/// The state of a solid in finite deformation at a point of a face. Integrals are over the face at
-/// rest.
+/// The state of a solid in finite deformation at a point of a face. Integrals are over the
+/// undeformed face.
 template <int dim>
 struct SolidFacePoint
 {
