@@ -13,9 +13,8 @@ viscoelastic_solid(const double inverse_bulk_modulus,
                    const std::vector<Continua::BulkBranch> &bulk_branches = {})
 {
   Continua::Material result;
-  result.compression = bulk_branches.empty()
-                           ? Continua::Compression::elastic(inverse_bulk_modulus)
-                           : Continua::Compression::relaxing(bulk_branches);
+  result.compression = bulk_branches.empty() ? Continua::Compression::elastic(inverse_bulk_modulus)
+                                             : Continua::Compression::relaxing(bulk_branches);
   result.shear.viscosity = viscosity;
   result.shear.branches = branches;
   return result;

@@ -1,8 +1,8 @@
 #ifndef continua_tests_studies_pulled_bar_h
 #define continua_tests_studies_pulled_bar_h
 
-/// A bar that is pulled in plane strain: (1 - nu^2)/Y times the traction is its strain, which linear
-/// and quadratic velocities have exactly on any mesh.
+/// A bar that is pulled in plane strain: (1 - nu^2)/Y times the traction is its strain, which
+/// linear and quadratic velocities have exactly on any mesh.
 constexpr const char *pulled_bar = R"(set Model    = plane strain
 subsection Geometry
   set Type = box
