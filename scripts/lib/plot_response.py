@@ -1,5 +1,7 @@
-"""Figures of harmonic analyses: amplitude and phase over frequency (Bode), and the response in the complex plane (Nyquist)."""
+"""Figures of harmonic analyses: amplitude and phase over frequency (Bode), the response in the complex plane (Nyquist), and its sensitivities."""
 
+import csv
+import math
 import os
 import re
 
@@ -11,7 +13,11 @@ import tables
 FEWEST_OF_A_CURVE = 8
 
 
+MOST_SENSITIVITIES = 12
+
+
 def draw(sheet, runs):
+    draw_sensitivities(sheet, runs[0])
     for file, kind in (("response.csv", "response"), ("impedance.csv", "impedance"), ("transfer.csv", "transfer")):
         curves = read_curves(runs, file)
         fields = dict.fromkeys(curve["field"] for curve in curves)
@@ -105,3 +111,34 @@ def draw_nyquist(sheet, curves, name):
         header += [f"{curve['label']} real part [{curve['unit']}]", f"{curve['label']} imaginary part [{curve['unit']}]"]
         columns += [curve["values"].real, curve["values"].imag]
     sheet.save_data(name, header, columns)
+
+
+def largest_sensitivities(folder):
+    """(label, sensitivity of the amplitude, frequency) of each response and entry where it is largest over the frequencies; the largest first."""
+    path = os.path.join(folder, "sensitivities.csv")
+    if not os.path.exists(path):
+        return []
+    largest = {}
+    with open(path, encoding="utf-8", newline="") as stream:
+        for row in csv.DictReader(stream):
+            value = float(row["logarithmic sensitivity [1]"] or "nan")
+            name = f"{row['probe']}: {row['response']} by {row['entry']}"
+            if math.isfinite(value) and value != 0 and abs(value) > abs(largest.get(name, (0, 0))[0]):
+                largest[name] = (value, float(row["frequency [Hz]"]))
+    return sorted(((name, *numbers) for name, numbers in largest.items()), key=lambda one: -abs(one[1]))
+
+
+def draw_sensitivities(sheet, run):
+    """Of the first run: bars of the largest."""
+    shown = largest_sensitivities(run["folder"])[:MOST_SENSITIVITIES]
+    if not shown:
+        return
+    figure, axes = sheet.figure(0.1 + 0.05 * len(shown))
+    places = range(len(shown))
+    axes.barh(places, [value for _, value, _ in shown], height=0.6)
+    axes.set_yticks(places, [f"{name}, {frequency:g} Hz" for name, _, frequency in shown])
+    axes.invert_yaxis()
+    axes.axvline(0, color="#999999", linewidth=0.5)
+    axes.set_xlabel("Amplitude by 1 % of the entry [%]")
+    sheet.save(figure, "sensitivities")
+    sheet.save_data("sensitivities", [f"{name} at {frequency:g} Hz [1]" for name, _, frequency in shown], [[value] for _, value, _ in shown])

@@ -46,6 +46,33 @@ void add_numbers(const std::complex<double> &value, std::vector<double> &row)
 } // namespace
 
 template <int dim>
+std::vector<NamedLoad> named_loads(const Case<dim> &input, HarmonicSystem<dim> &system)
+{
+  const HarmonicParameters &harmonic = input.harmonic;
+  const auto turned = [](const HarmonicLoad &load, const double phase)
+  {
+    HarmonicLoad result;
+    result.add(std::polar(1., phase), load);
+    return result;
+  };
+  std::vector<NamedLoad> loads;
+  if (!harmonic.unit_load.empty())
+  {
+    for (unsigned int c = 0; c < input.problem.conditions.size(); ++c)
+      if (input.problem.conditions[c].name == harmonic.unit_load)
+        loads.push_back({harmonic.unit_load, static_cast<int>(c),
+                         turned(system.unit_load(c), harmonic.phases[c])});
+  }
+  else
+    for (const HarmonicLoadSource &source : system.sources())
+      loads.push_back({source.name, source.condition,
+                       turned(system.load_of(source, 0.),
+                              source.condition < 0 ? harmonic.body_force_phase
+                                                   : harmonic.phases[source.condition])});
+  return loads;
+}
+
+template <int dim>
 std::vector<std::complex<double>>
 probe_values(HarmonicSystem<dim> &system, Probes<dim> &probes, const HarmonicSolution &solution)
 {
@@ -288,6 +315,8 @@ void HarmonicTables<dim>::name_quantities(const Case<dim> &input, QuantityNames 
   names.add("largest imbalance of mean powers");
 }
 
+template std::vector<NamedLoad> named_loads(const Case<2> &, HarmonicSystem<2> &);
+template std::vector<NamedLoad> named_loads(const Case<3> &, HarmonicSystem<3> &);
 template std::vector<std::complex<double>>
 probe_values(HarmonicSystem<2> &, Probes<2> &, const HarmonicSolution &);
 template std::vector<std::complex<double>>

@@ -177,6 +177,7 @@ void WaveNumberTable<dim>::add_columns(const StationsProbe &probe)
         cells[i].push_back(g.real());
       }
     add_quantities(probe, frequency, fitted);
+    all_fits.push_back({probe.name, frequency, fitted});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace Continua
@@ -59,6 +60,62 @@ std::vector<double> numbers_of(const Declaration &declaration, const std::string
 }
 } // namespace
 
+namespace
+{
+/// The numbers of an entry, and what they are.
+struct Quantities
+{
+  NumericForm form;
+  bool is_angle = false;
+  std::vector<double> numbers;
+};
+
+/// Of a formula or an angle, whose text names its unit in brackets, where the value in the file is
+/// a quantity, or a list of such; else nothing.
+std::optional<Quantities> quantities_of_text(const Declaration &declaration,
+                                             const std::string &value)
+{
+  const std::size_t begin = declaration.text.find('['), end = declaration.text.find(']');
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+    return std::nullopt;
+  const std::string unit = declaration.text.substr(begin + 1, end - begin - 1);
+  Quantities result;
+  result.is_angle = unit == "deg or rad";
+  if (!result.is_angle)
+    try
+    {
+      unit_factor(unit, result.form.dimension);
+    }
+    catch (const std::invalid_argument &)
+    {
+      return std::nullopt;
+    }
+  for (const std::string &item : split_unquoted(value, ','))
+    try
+    {
+      result.numbers.push_back(parse_quantity(collapse_blanks(item), result.form.dimension));
+    }
+    catch (const std::invalid_argument &)
+    {
+      return std::nullopt;
+    }
+  result.form.is_list = result.numbers.size() > 1;
+  return result;
+}
+
+std::optional<Quantities> quantities_of(const ParameterStore &store,
+                                        const Declaration &declaration,
+                                        const NumericEntry::Kind kind)
+{
+  const std::string value = store.value(declaration);
+  if (declaration.number)
+    return Quantities{*declaration.number, false, numbers_of(declaration, value)};
+  if (kind == NumericEntry::Kind::numbers)
+    return std::nullopt;
+  return quantities_of_text(declaration, value);
+}
+} // namespace
+
 bool contains(const Range &range, const double number)
 {
   return (range.lower_open ? number > range.lower : number >= range.lower) &&
@@ -68,7 +125,8 @@ bool contains(const Range &range, const double number)
 NumericEntry::NumericEntry(const ParameterFile &file,
                            const std::string &path,
                            const ParameterSection &section,
-                           const std::string &key)
+                           const std::string &key,
+                           const Kind kind)
 {
   const std::vector<Declaration> &declarations = file.store->declarations;
   std::vector<std::string> names = names_of_path(path);
@@ -95,11 +153,13 @@ NumericEntry::NumericEntry(const ParameterFile &file,
                        : "Did you mean '" + nearest + "'?");
   }
   entry = join_path(declaration->path());
-  if (!declaration->number)
+  const std::optional<Quantities> quantities = quantities_of(*file.store, *declaration, kind);
+  if (!quantities)
     section.refuse(key, "'" + entry + "' is no number, but " + declaration->values,
                    "Give the path of a number");
-  form = *declaration->number;
-  numbers = numbers_of(*declaration, file.store->value(*declaration));
+  form = quantities->form;
+  is_angle = quantities->is_angle;
+  numbers = quantities->numbers;
   const std::string size = std::to_string(numbers.size());
   if (form.is_list)
   {
@@ -119,6 +179,28 @@ NumericEntry::NumericEntry(const ParameterFile &file,
   else if (numbers.empty())
     numbers.push_back(undefined);
   its_path = entry + (form.is_list ? " " + std::to_string(place + 1) : "");
+}
+
+std::vector<std::string> NumericEntry::paths_given(const ParameterFile &file,
+                                                   const std::vector<std::string> &sections,
+                                                   const Kind kind)
+{
+  std::vector<std::string> paths;
+  for (const Declaration &declaration : file.store->declarations)
+  {
+    if (declaration.section.empty() ||
+        std::find(sections.begin(), sections.end(), declaration.section.front()) ==
+            sections.end() ||
+        file.store->given(declaration.section, declaration.key) == nullptr)
+      continue;
+    const std::optional<Quantities> quantities = quantities_of(*file.store, declaration, kind);
+    if (!quantities || quantities->form.is_integer)
+      continue;
+    const std::string path = join_path(declaration.path());
+    for (std::size_t place = 1; place <= quantities->numbers.size(); ++place)
+      paths.push_back(quantities->form.is_list ? path + " " + std::to_string(place) : path);
+  }
+  return paths;
 }
 
 bool NumericEntry::accepts(const double number) const

@@ -63,6 +63,17 @@ ParameterFile::~ParameterFile() = default;
 ParameterFile::ParameterFile(ParameterFile &&) noexcept = default;
 ParameterFile &ParameterFile::operator=(ParameterFile &&) noexcept = default;
 
+ParameterFile
+ParameterFile::changed(const std::vector<std::pair<std::string, std::string>> &settings) const
+{
+  ParameterFile result;
+  result.store->is_documentation = store->is_documentation;
+  result.store->text = store->text;
+  for (const auto &[path, value] : settings)
+    result.store->text.set(path + "=" + value);
+  return result;
+}
+
 ParameterSection ParameterFile::root()
 {
   return ParameterSection(*this, {});

@@ -155,10 +155,10 @@ void settle(ParameterText::Section &section, const std::string &path)
                          section.sections.end());
 }
 
-void set(ParameterText::Section &section,
-         const std::string &path,
-         const std::string &key,
-         const ParameterText::Setting &setting)
+void add_setting(ParameterText::Section &section,
+                 const std::string &path,
+                 const std::string &key,
+                 const ParameterText::Setting &setting)
 {
   ParameterText::Entry &entry = section.get_entry(key);
   for (const ParameterText::Setting &earlier : entry.settings)
@@ -307,6 +307,12 @@ ParameterText::ParameterText(const std::string &path, const std::vector<std::str
   settle(top, "");
 }
 
+void ParameterText::set(const std::string &override_text)
+{
+  set_from_command_line(override_text);
+  settle(top, "");
+}
+
 const ParameterText::Section *ParameterText::find(const std::vector<std::string> &path) const
 {
   const Section *section = &top;
@@ -405,8 +411,8 @@ void ParameterText::read(const std::string &path,
                          "Write 'set KEY = VALUE'");
       std::vector<std::string> entry_path = names;
       entry_path.push_back(key);
-      set(*open.back(), join_path(entry_path), key,
-          {collapse_blanks(rest.substr(equals + 1)), here, inclusions});
+      add_setting(*open.back(), join_path(entry_path), key,
+                  {collapse_blanks(rest.substr(equals + 1)), here, inclusions});
     }
     else if (keyword == "unset" || keyword == "UNSET")
     {
@@ -424,7 +430,7 @@ void ParameterText::read(const std::string &path,
       if (is_section)
         open.back()->get_section(name, here).unsets.push_back(unset);
       else
-        set(*open.back(), join_path(entry_path), name, unset);
+        add_setting(*open.back(), join_path(entry_path), name, unset);
     }
     else if (keyword == "include" || keyword == "INCLUDE")
     {

@@ -93,6 +93,8 @@ Case<dim>::Case(ParameterFile &file,
   check_case(*this, root);
   prepare_loads(root);
   prepare_results(root);
+  if (analysis.name == "harmonic" && harmonic.sensitivities.is_on)
+    prepare_entry_changes(file);
   name_all_quantities(file);
 }
 
@@ -123,15 +125,28 @@ void Case<dim>::read_body(ParameterFile &file)
                                "Add 'subsection " + quoted_name(region, "#") +
                                    "' with a Type to Materials");
     }
-    problem.materials.push_back(read_material(materials.subsection(region), problem.model));
+  }
+  read_materials(root, problem);
+  for (unsigned int region = 0; region < problem.regions.size(); ++region)
+    if (const ParameterSection section = materials.subsection(problem.regions[region]);
+        problem.materials[region].has_power_law() && section.given("Relaxation table"))
+      power_laws.note_table(problem.regions[region], section);
+}
+
+template <int dim>
+void Case<dim>::read_materials(ParameterSection root, Problem &of_file) const
+{
+  ParameterSection materials = root.subsection("Materials");
+  of_file.materials.clear();
+  of_file.plane_stress_factors.clear();
+  for (const std::string &region : problem.regions)
+  {
+    of_file.materials.push_back(read_material(materials.subsection(region), problem.model));
     if (problem.deformation == Deformation::finite)
-      read_strain_law(materials.subsection(region), problem.materials.back());
+      read_strain_law(materials.subsection(region), of_file.materials.back());
     if (problem.model == Model::plane_stress)
-      problem.plane_stress_factors.push_back(
+      of_file.plane_stress_factors.push_back(
           read_plane_stress_factors(materials.subsection(region)));
-    if (problem.materials.back().has_power_law() &&
-        materials.subsection(region).given("Relaxation table"))
-      power_laws.note_table(region, materials.subsection(region));
   }
 }
 

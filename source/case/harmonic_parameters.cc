@@ -78,6 +78,12 @@ void HarmonicParameters::read(ParameterSection section)
               "of a probe or more: 1 - the pressure wave; 2 - the axial wave of a free wall beside "
               "it, which needs five stations [1].",
               1, 2);
+  section.add(
+      "Estimate errors", estimates_errors,
+      "Whether the errors of the responses by the mesh are estimated: by the same case with "
+      "elements of the next degree, which is solved at each frequency, too, and takes "
+      "several times as long.");
+  sensitivities.read(section.subsection("Sensitivities"));
 }
 
 void HarmonicParameters::add_range(ParameterSection section)

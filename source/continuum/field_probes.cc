@@ -173,6 +173,17 @@ double FieldProbes<dim>::add_points(const Probe &probe, Collector &collector) co
 }
 
 template <int dim>
+const ProbeWeights &FieldProbes<dim>::weights_of(const unsigned int number) const
+{
+  const Probe &probe = probes[number];
+  const ProbeRequest<dim> &request = probe.request;
+  if (probe.is_sampled || probe.follows_mesh || request.is_of_cavity() ||
+      request.kind == ProbeRequest<dim>::Kind::boundary_force)
+    throw std::invalid_argument("the probe is no sum of unknowns with fixed weights");
+  return probe.weights;
+}
+
+template <int dim>
 bool FieldProbes<dim>::asks_for_forces() const
 {
   return std::any_of(probes.begin(), probes.end(),

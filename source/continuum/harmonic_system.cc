@@ -22,6 +22,7 @@ void HarmonicLoad::add(const Complex factor, const HarmonicLoad &other)
   add_scaled(factor, other.forces, forces);
   add_scaled(factor, other.velocities, velocities);
   add_scaled(factor, other.ports, ports);
+  add_scaled(factor, other.dilatations, dilatations);
 }
 
 void HarmonicSolution::add(const Complex factor, const HarmonicSolution &other)

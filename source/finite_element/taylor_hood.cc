@@ -273,7 +273,7 @@ std::unique_ptr<HarmonicSystem<dim>> TaylorHood<dim>::harmonic_system(const Harm
                                                loaded_state);
   }
   return std::make_unique<TaylorHoodHarmonic<dim>>(space, problem, operators, constraints,
-                                                   load_list, linear_products, state,
+                                                   load_list, linear_products, state, evaluation,
                                                    std::move(loaded), moving_mesh.get());
 }
 

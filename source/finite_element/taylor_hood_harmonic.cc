@@ -17,12 +17,15 @@ TaylorHoodHarmonic<dim>::TaylorHoodHarmonic(const Space<dim> &space,
                                             const Loads<dim> &loads,
                                             const LinearProducts<dim> &products,
                                             const HarmonicState &state,
+                                            const FieldProbes<dim> &probes,
                                             std::unique_ptr<LoadedBody<dim>> loaded,
                                             MovingMesh<dim> *const moving_mesh)
     : space(space),
       problem(problem),
       operators(operators),
       constraints(constraints),
+      products(products),
+      probes(probes),
       state(state),
       loaded(std::move(loaded)),
       moving_mesh(moving_mesh),
@@ -78,6 +81,51 @@ std::vector<unsigned int> TaylorHoodHarmonic<dim>::velocities_of_solids() const
   for (unsigned int region = 0; region < nodes.size(); ++region)
     if (problem.materials[region].is_solid())
       result.insert(result.end(), nodes[region].begin(), nodes[region].end());
+  return result;
+}
+
+template <int dim>
+HarmonicFunctional
+TaylorHoodHarmonic<dim>::functional(const std::vector<std::pair<unsigned int, double>> &terms,
+                                    const Complex s) const
+{
+  using Source = ProbeWeights::Source;
+  AssertThrow(!loaded, dealii::ExcMessage("There is no functional about a state under loads."));
+  const HarmonicCoefficients at_s = equations.coefficients(s);
+  HarmonicFunctional result;
+  result.weights.forces.resize(n_local_velocities());
+  result.weights.dilatations.resize(n_local_pressures());
+  result.of_modulus.resize(operators.size());
+  for (const auto &[probe, factor] : terms)
+    for (const ProbeWeights::Part &part : probes.weights_of(probe).all_parts())
+      for (std::size_t i = 0; i < part.indices.size(); ++i)
+      {
+        const unsigned int index = part.indices[i];
+        const double weight = factor * part.values[i];
+        if (part.source == Source::pressure)
+          result.weights.dilatations[index] += weight;
+        else if (part.source == Source::mixture)
+        {
+          result.weights.forces[index] += at_s.stiffness[part.region] * weight;
+          result.of_modulus[part.region].emplace_back(index, weight);
+        }
+        else
+          result.weights.forces[index] += part.source == Source::velocity ? s * weight : weight;
+      }
+  return result;
+}
+
+template <int dim>
+std::vector<HarmonicLoad> TaylorHoodHarmonic<dim>::loads_of(const Problem &changed)
+{
+  Loads<dim> list(space, changed);
+  list.build();
+  BoundaryConstraints<dim> of_changed(space, changed.conditions);
+  of_changed.build();
+  const HarmonicLoads<dim> changed_loads(space, changed, of_changed, list, port_model, equations);
+  std::vector<HarmonicLoad> result;
+  for (const HarmonicLoadSource &source : sources())
+    result.push_back(changed_loads.load_of(source, 0.));
   return result;
 }
 

@@ -2,7 +2,7 @@
 #define continua_tests_analysis_small_harmonic_system_h
 
 #include <continua/base/input_error.h>
-#include <continua/continuum/harmonic_system.h>
+#include <continua/continuum/harmonic_derivatives.h>
 #include <continua/frequency/dense_complex_matrix.h>
 
 #include <cmath>
@@ -101,6 +101,24 @@ public:
       factor(s[k]);
       sink(k, loads, solve(loads));
     }
+  }
+  std::vector<HarmonicSolution> solve_further(std::size_t,
+                                              const std::vector<HarmonicLoad> &loads) override
+  {
+    return solve(loads);
+  }
+  HarmonicFunctional functional(const std::vector<std::pair<unsigned int, double>> &,
+                                Complex) const override
+  {
+    throw std::logic_error("it has no probes");
+  }
+  std::vector<HarmonicLoad> loads_of(const Problem &) override
+  {
+    throw std::logic_error("it has no problem");
+  }
+  std::unique_ptr<HarmonicDerivatives> derivatives(const std::vector<ProblemChange> &) override
+  {
+    throw std::logic_error("it has no problem");
   }
   HarmonicDeterminant determinant() override
   {

@@ -432,6 +432,25 @@ class Material(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
 
 
+class Sensitivities(unittest.TestCase):
+    def test_largest_first(self):
+        """Of each response and entry the frequency at which it is largest; what does not depend is left out."""
+        header = "frequency [Hz],probe,response,entry,logarithmic sensitivity [1]\n"
+        with tempfile.TemporaryDirectory() as folder:
+            write(os.path.join(folder, "summary.json"), "{}")
+            write(os.path.join(folder, "sensitivities.csv"), header
+                  + "1,tip,displacement x,Materials/wall/Density,0.5\n2,tip,displacement x,Materials/wall/Density,-2.5\n"
+                  + "1,tip,displacement x,Materials/wall/Young's modulus,-1\n2,tip,displacement x,Materials/wall/Young's modulus,0.25\n"
+                  + "1,tip,displacement x,Boundaries/top/Pressure,0\n2,tip,displacement x,Boundaries/top/Pressure,\n")
+            done = plot(folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(os.path.join(folder, "plots", "sensitivities.csv"), encoding="utf-8") as stream:
+                names, values = stream.read().splitlines()
+            self.assertEqual(names.split(","), ["tip: displacement x by Materials/wall/Density at 2 Hz [1]",
+                                                "tip: displacement x by Materials/wall/Young's modulus at 1 Hz [1]"])
+            self.assertEqual(values.split(","), ["-2.5", "-1.0"])
+
+
 class Fits(unittest.TestCase):
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -2,6 +2,7 @@
 #define continua_analysis_harmonic_h
 
 #include <continua/analysis/frequency_analysis.h>
+#include <continua/analysis/harmonic_sensitivities.h>
 #include <continua/analysis/harmonic_tables.h>
 #include <continua/analysis/run.h>
 #include <continua/continuum/harmonic_system.h>
@@ -20,7 +21,7 @@ namespace Continua
  * the other, with the complex moduli of its materials. response.csv has a row for each frequency
  * with amplitude and phase of each probe; impedance.csv, transfer.csv and mean-power.csv see
  * HarmonicTables. fields.pvd lists the real parts under the numbers of the frequencies, and the
- * imaginary parts half a number behind.
+ * imaginary parts half a number behind. sensitivities.csv see HarmonicSensitivities.
  */
 template <int dim>
 class Harmonic : private FrequencyAnalysis<dim>
@@ -40,10 +41,12 @@ private:
   std::vector<NamedLoad> loads; ///< with their phases
   HarmonicLoad total;
   std::unique_ptr<HarmonicTables<dim>> tables;
+  std::unique_ptr<HarmonicSensitivities<dim>> sensitivities; ///< null where none are asked for
   std::unique_ptr<FrequencyRefinement> refinement;
   std::map<double, HarmonicSolution> known; ///< of a refined range, by frequency [Hz]
 
   void take_loads();
+  void solve_all();
   /// At given frequencies, one after the other.
   void solve_range();
   /// At as many as the responses of the probes need; then the frequencies are these, too. What was

@@ -20,6 +20,10 @@ struct NamedLoad
   HarmonicLoad load;
 };
 
+/// The loads of a harmonic analysis: that of Unit load at, or those of the file, with their phases.
+template <int dim>
+std::vector<NamedLoad> named_loads(const Case<dim> &input, HarmonicSystem<dim> &system);
+
 /// What the probes show at one frequency.
 struct ProbeResponse
 {

@@ -12,6 +12,14 @@
 
 namespace Continua
 {
+/// The waves that the stations of a probe have at one frequency [Hz].
+struct WaveFit
+{
+  std::string probe;
+  double frequency;
+  TravellingWaves waves;
+};
+
 /**
  * Speed and attenuation of the waves along a tube at each frequency of a harmonic analysis, from
  * each probe with enough stations: a fit of waves in both directions (fit_travelling_waves()) to
@@ -29,6 +37,8 @@ public:
   WaveNumberTable(Run<dim> &run, const std::vector<ProbeResponse> &responses);
   /// Writes the table where a probe has enough stations, and adds the quantities.
   void write();
+  /// The fits of the table, when it is written.
+  const std::vector<WaveFit> &fits() const { return all_fits; }
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
 
 private:
@@ -43,6 +53,7 @@ private:
   std::vector<ProbeResponse> rows; ///< of positive frequencies
   std::vector<std::string> header;
   std::vector<std::vector<double>> cells; ///< by row
+  std::vector<WaveFit> all_fits;
 
   static bool has_enough_stations(const Case<dim> &input, const StationsProbe &probe);
   Theory theory_of(const StationsProbe &probe) const;

@@ -17,19 +17,34 @@ namespace Continua
 class NumericEntry
 {
 public:
+  /// Which entries count.
+  enum class Kind
+  {
+    numbers,
+    /// Also those of formulas and angles whose text in the file is a quantity, "Pressure = 2 kPa".
+    quantities
+  };
+
   /// Finds the entry among those that are declared: whoever reads the file has read it before.
   /// Throws InputError, as said of the entry `key` of `section`, if there is no such entry (with
   /// the nearest path), if it is no number, or if its list has no such place.
   NumericEntry(const ParameterFile &file,
                const std::string &path,
                const ParameterSection &section,
-               const std::string &key);
+               const std::string &key,
+               Kind kind = Kind::numbers);
+  /// The paths of all numbers, but whole ones, that the user has set in these sections
+  /// ("Materials") and below them, in the order of their declarations; of a list a path for each
+  /// place.
+  static std::vector<std::string>
+  paths_given(const ParameterFile &file, const std::vector<std::string> &sections, Kind kind);
 
   /// With the place in a list.
   const std::string &path() const { return its_path; }
   /// Without it.
   const std::string &path_of_entry() const { return entry; }
-  std::string unit() const { return form.dimension.unit(); } ///< SI; "1" if there is none
+  /// SI; "1" if there is none, and "rad" of an angle.
+  std::string unit() const { return is_angle ? "rad" : form.dimension.unit(); }
   const Dimension &dimension() const { return form.dimension; }
   const Range &range() const { return form.range; } ///< that the file accepts [unit()]
   bool is_integer() const { return form.is_integer; }
@@ -49,6 +64,7 @@ private:
   NumericForm form;
   std::vector<double> numbers; ///< all of the entry
   std::size_t place = 0;       ///< among them, from 0 on
+  bool is_angle = false;       ///< in rad
 };
 
 /// Whether the number lies in the range.

@@ -8,6 +8,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -33,6 +34,10 @@ public:
   ~ParameterFile();
   ParameterFile(ParameterFile &&) noexcept;
   ParameterFile &operator=(ParameterFile &&) noexcept;
+
+  /// The same text with other values of some entries, "Section/Key" and a value each, in which
+  /// nothing is declared yet.
+  ParameterFile changed(const std::vector<std::pair<std::string, std::string>> &settings) const;
 
   /// The top section.
   ParameterSection root();

@@ -61,6 +61,9 @@ public:
   /// refused, too.
   ParameterText(const std::string &path, const std::vector<std::string> &overrides);
 
+  /// Sets an entry as the command line does, "Section/Key=value", after the text was read. Throws
+  /// InputError.
+  void set(const std::string &override_text);
   /// The section of that path; null if the user has none.
   const Section *find(const std::vector<std::string> &path) const;
   const Section &root() const { return top; }

@@ -63,6 +63,16 @@ enum class CaseUse
   check    ///< nothing but to find what is wrong with it
 };
 
+/// An entry of the file by which responses are differentiated, and what the case is with other
+/// values of it.
+struct EntryChange
+{
+  SensitivityEntry entry;
+  /// By node of its formula: the problem, and the phases of its loads, see HarmonicParameters.
+  std::vector<Problem> problems;
+  std::vector<HarmonicParameters> phases;
+};
+
 /// How a body is brought to rest.
 struct SteadyParameters
 {
@@ -141,7 +151,8 @@ struct Case
       network;                  ///< at ends of the body in a run in time, or null
   AbsorbingEnds absorbing_ends; ///< what some of its outlets come from in a run in time
   ModalParameters modal;
-  HarmonicParameters harmonic; ///< of a harmonic analysis
+  HarmonicParameters harmonic;            ///< of a harmonic analysis
+  std::vector<EntryChange> entry_changes; ///< of Harmonic/Sensitivities
   ResonanceParameters resonances;
   PeriodicResponseParameters periodic_response;
   PulseResponseParameters pulse_response;
@@ -159,8 +170,13 @@ private:
   void read_boundaries(ParameterSection root);
   void prepare_loads(ParameterSection root); ///< profiles, outlets, fits
   void prepare_results(ParameterSection root);
+  void prepare_entry_changes(ParameterFile &file);
   void name_all_quantities(ParameterFile &file);
 
+  void read_materials(ParameterSection root, Problem &of_file) const;
+  /// The problem of the file with other numbers of materials, boundaries and the body force, on the
+  /// same mesh; sets the phases of its loads.
+  Problem changed_problem(ParameterFile &changed, HarmonicParameters &phases);
   std::vector<bool> are_regions_solid() const;
 };
 } // namespace Continua

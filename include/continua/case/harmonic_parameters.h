@@ -2,6 +2,7 @@
 #define continua_case_harmonic_parameters_h
 
 #include <continua/base/parameter_section.h>
+#include <continua/case/sensitivity_parameters.h>
 #include <continua/continuum/problem.h>
 
 #include <string>
@@ -25,6 +26,8 @@ struct HarmonicParameters
   unsigned int n_waves = 1;            ///< that are fitted to stations along a tube
   std::vector<double> phases;          ///< of the loads of the boundaries, by condition [rad]
   double body_force_phase = 0.;        ///< [rad]
+  SensitivityParameters sensitivities;
+  bool estimates_errors = false; ///< of the responses, by elements of the next degree
 
   /// Throws InputError.
   void read(ParameterSection section);

@@ -32,6 +32,9 @@ public:
   unsigned int add(const ProbeRequest<dim> &request);
   /// Sets the probes up again on a new mesh.
   void rebuild();
+  /// The weights of a probe that is linear in the state, on a mesh that stays. Throws
+  /// std::invalid_argument for another one, and for a force.
+  const ProbeWeights &weights_of(unsigned int probe) const;
   /// Whether any is a force.
   bool asks_for_forces() const;
   /// The regions of which forces on an interface are asked for.

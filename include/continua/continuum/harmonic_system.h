@@ -5,11 +5,17 @@
 
 #include <complex>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
 {
+class HarmonicDerivatives;
+struct Problem;
+struct ProblemChange;
+
 /// What drives a linear body in motion exp(s t): amplitudes of the owned entries of this rank.
 struct HarmonicLoad
 {
@@ -19,6 +25,9 @@ struct HarmonicLoad
   /// By port, see HarmonicSystem::ports(): the pressure behind an outlet's [Pa], the flow rate that
   /// is given at a free one [m^3/s]. Empty: zero.
   std::vector<Complex> ports;
+  /// By pressure entry: right sides of the equations of the dilatations [m^3]; empty: zero. No load
+  /// of a file has them.
+  std::vector<Complex> dilatations;
 
   /// Adds factor times the other load.
   void add(Complex factor, const HarmonicLoad &other);
@@ -42,6 +51,18 @@ struct WeightedSolution
 {
   HarmonicSolution solution;
   std::complex<double> factor;
+};
+
+/// A number that is linear in the motion exp(s t) at one s, such as that of a probe.
+struct HarmonicFunctional
+{
+  using Complex = std::complex<double>;
+  /// As a load: `forces` are what the displacement is multiplied by [unit/m], `dilatations` what
+  /// the pressure is multiplied by [unit/Pa], so that the solution under it is the adjoint one.
+  HarmonicLoad weights;
+  /// By region, the part of these that has the factor mu*(s), without it: local index and weight
+  /// [unit/(Pa m)].
+  std::vector<std::vector<std::pair<unsigned int, double>>> of_modulus;
 };
 
 /// What the entries of the file say of a load: all that acts on one boundary, or in the body.
@@ -144,6 +165,20 @@ public:
            const std::function<void(std::size_t number,
                                     const std::vector<HarmonicLoad> &loads,
                                     const std::vector<HarmonicSolution> &solutions)> &sink) = 0;
+  /// Within the sink of solve_at(), for the s of this number: solves for other loads with its
+  /// factor.
+  virtual std::vector<HarmonicSolution> solve_further(std::size_t number,
+                                                      const std::vector<HarmonicLoad> &loads) = 0;
+  /// The sum of numbers of the solver's probes, with a factor each, at s. Throws
+  /// std::invalid_argument for a probe that is not linear in the motion.
+  virtual HarmonicFunctional functional(const std::vector<std::pair<unsigned int, double>> &probes,
+                                        Complex s) const = 0;
+  /// load_of() at t = 0 of each of the sources() as another problem has them, whose entries have
+  /// other values.
+  virtual std::vector<HarmonicLoad> loads_of(const Problem &changed) = 0;
+  /// Of numbers that are linear in the motion, by entries of the file. The changes must outlive it.
+  virtual std::unique_ptr<HarmonicDerivatives>
+  derivatives(const std::vector<ProblemChange> &changes) = 0;
   /// Of the matrix of the last factor(), constrained rows and ports included, up to a factor that
   /// is the same for all s.
   virtual HarmonicDeterminant determinant() = 0;

@@ -49,7 +49,6 @@ public:
                const DistributedVector *forces,
                const std::vector<Material> &materials) const;
 
-private:
   /// Weights of one vector.
   struct Part
   {
@@ -58,6 +57,10 @@ private:
     std::vector<unsigned int> indices; ///< local
     std::vector<double> values;
   };
+  /// This rank's.
+  const std::vector<Part> &all_parts() const { return parts; }
+
+private:
   std::vector<Part> parts;
 
   void keep(Source source, unsigned int region, DistributedVector &vector, double factor);

@@ -1,6 +1,8 @@
 #ifndef continua_finite_element_taylor_hood_harmonic_h
 #define continua_finite_element_taylor_hood_harmonic_h
 
+#include <continua/continuum/field_probes.h>
+#include <continua/continuum/harmonic_derivatives.h>
 #include <continua/continuum/harmonic_state.h>
 #include <continua/continuum/harmonic_system.h>
 #include <continua/continuum/problem.h>
@@ -13,6 +15,7 @@
 #include <continua/finite_element/solvers/harmonic_ledger.h>
 #include <continua/finite_element/solvers/harmonic_loads.h>
 #include <continua/finite_element/solvers/harmonic_ports.h>
+#include <continua/finite_element/solvers/harmonic_sensitivity.h>
 #include <continua/finite_element/solvers/harmonic_solver.h>
 #include <continua/finite_element/solvers/loaded_body.h>
 #include <continua/finite_element/space/space.h>
@@ -21,6 +24,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Continua
@@ -34,7 +38,7 @@ public:
   using Complex = std::complex<double>;
 
   /// All but the loaded body must outlive it. `loaded`: null where the motion is about a body
-  /// without loads; `moving_mesh`: null where the mesh stays.
+  /// without loads; `moving_mesh`: null where the mesh stays. `probes`: of the solver.
   TaylorHoodHarmonic(const Space<dim> &space,
                      const Problem &problem,
                      const std::vector<RegionOperators> &operators,
@@ -42,6 +46,7 @@ public:
                      const Loads<dim> &loads,
                      const LinearProducts<dim> &products,
                      const HarmonicState &state,
+                     const FieldProbes<dim> &probes,
                      std::unique_ptr<LoadedBody<dim>> loaded = nullptr,
                      MovingMesh<dim> *moving_mesh = nullptr);
 
@@ -74,6 +79,20 @@ public:
                                     const std::vector<HarmonicSolution> &solutions)> &sink) override
   {
     solver.solve_at(s, loads_at, sink);
+  }
+  std::vector<HarmonicSolution> solve_further(const std::size_t number,
+                                              const std::vector<HarmonicLoad> &all_loads) override
+  {
+    return solver.solve_further(number, all_loads);
+  }
+  HarmonicFunctional functional(const std::vector<std::pair<unsigned int, double>> &terms,
+                                Complex s) const override;
+  std::vector<HarmonicLoad> loads_of(const Problem &changed) override;
+  std::unique_ptr<HarmonicDerivatives>
+  derivatives(const std::vector<ProblemChange> &changes) override
+  {
+    return std::make_unique<HarmonicSensitivity<dim>>(space, problem, operators, products,
+                                                      equations, port_model, changes);
   }
   HarmonicDeterminant determinant() override { return solver.determinant(); }
   void multiply(Complex s,
@@ -111,6 +130,8 @@ private:
   const Problem &problem;
   const std::vector<RegionOperators> &operators;
   const BoundaryConstraints<dim> &constraints;
+  const LinearProducts<dim> &products;
+  const FieldProbes<dim> &probes;
   HarmonicState state;
   const std::unique_ptr<LoadedBody<dim>> loaded;
   MovingMesh<dim> *const moving_mesh;

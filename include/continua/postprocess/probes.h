@@ -145,6 +145,11 @@ public:
   std::vector<std::string> column_names() const;
   unsigned int n_columns() const { return static_cast<unsigned int>(columns.size()); }
   ProbeColumnName name_of(unsigned int column) const;
+  /// The solver's probes, and the factors of their sum, that a column is on a mesh that stays.
+  const std::vector<std::pair<unsigned int, double>> &terms_of(const unsigned int column) const
+  {
+    return columns[column].terms;
+  }
   const std::string &unit_of(const unsigned int column) const { return columns[column].field.unit; }
   /// The history: times [s], and the values of a column [SI].
   const std::vector<double> &times() const { return record_times; }

@@ -101,16 +101,7 @@ HarmonicCoefficients HarmonicEquations<dim>::coefficients(const Complex s) const
 {
   if (loaded != nullptr)
     return loaded->coefficients(s);
-  const Complex omega = Complex(0., -1.) * s;
-  HarmonicCoefficients result;
-  for (const Material &material : problem.materials)
-  {
-    result.mass.push_back(s * s * material.density);
-    result.stiffness.push_back(material.complex_shear_modulus(omega));
-    result.compressibility.push_back(material.complex_inverse_bulk_modulus(omega));
-  }
-  result.support_damping = s;
-  return result;
+  return harmonic_coefficients(problem.materials, s);
 }
 
 template <int dim>

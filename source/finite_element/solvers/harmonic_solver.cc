@@ -75,6 +75,8 @@ HarmonicSolver<dim>::right_hand_sides(const Complex s, const std::vector<Harmoni
   {
     std::vector<Complex> forces = load.forces, dilatations = no_pressure;
     forces.resize(equations.n_velocities());
+    std::vector<Complex> given = load.dilatations;
+    given.resize(equations.n_pressures());
     if (!load.velocities.empty() && equations.size_of(load.velocities) > 0.)
     {
       // What is prescribed goes to the right-hand side.
@@ -87,6 +89,8 @@ HarmonicSolver<dim>::right_hand_sides(const Complex s, const std::vector<Harmoni
       for (Complex &value : dilatations)
         value *= -1.;
     }
+    for (std::size_t i = 0; i < dilatations.size(); ++i)
+      dilatations[i] += given[i];
     equations.restrict_rows(forces, dilatations);
     columns.push_back(packed(forces, dilatations));
   }
@@ -165,8 +169,9 @@ void HarmonicSolver<dim>::correct(const std::vector<std::vector<HarmonicLoad>> &
       for (std::size_t l = 0; l < loads[k].size(); ++l)
       {
         const HarmonicSolution &solution = solutions[k][l];
-        std::vector<Complex> forces = loads[k][l].forces, dilatations(equations.n_pressures());
+        std::vector<Complex> forces = loads[k][l].forces, dilatations = loads[k][l].dilatations;
         forces.resize(equations.n_velocities());
+        dilatations.resize(equations.n_pressures());
         equations.restrict_rows(forces, dilatations);
         residuals[k].push_back(packed(forces, dilatations));
         of_ports[k].emplace_back();
@@ -181,6 +186,8 @@ void HarmonicSolver<dim>::correct(const std::vector<std::vector<HarmonicLoad>> &
     factors->solve(residuals);
     for (std::size_t k = 0; k < loads.size(); ++k)
     {
+      if (loads[k].empty())
+        continue;
       residuals[k].insert(residuals[k].end(), columns[k].begin() + loads[k].size(),
                           columns[k].end());
       const std::vector<HarmonicSolution> corrections = complete(k, of_ports[k], residuals[k]);
@@ -273,6 +280,28 @@ HarmonicSolver<dim>::solve_in_use(const std::vector<std::vector<HarmonicLoad>> &
 }
 
 template <int dim>
+std::vector<HarmonicSolution>
+HarmonicSolver<dim>::solve_further(const std::size_t number, const std::vector<HarmonicLoad> &loads)
+{
+  AssertThrow(number >= number_of_first && number - number_of_first < factored.size(),
+              ExcMessage("The factor of this number is not in use."));
+  if (loads.empty())
+    return {};
+  // Nothing for the other factors in use.
+  const std::size_t k = number - number_of_first;
+  std::vector<std::vector<HarmonicLoad>> all_loads(factored.size());
+  std::vector<HarmonicFactors::Columns> columns(factored.size());
+  std::vector<std::vector<HarmonicSolution>> solutions(factored.size());
+  all_loads[k] = loads;
+  columns[k] = right_hand_sides(factored[k], loads);
+  solve_columns(columns);
+  solutions[k] = complete(k, loads, columns[k]);
+  if (ports.size() > 0)
+    correct(all_loads, columns, solutions);
+  return solutions[k];
+}
+
+template <int dim>
 void HarmonicSolver<dim>::make_factors(const std::vector<Complex> &all_s)
 {
   std::vector<HarmonicCoefficients> of_batch;
@@ -318,6 +347,7 @@ void HarmonicSolver<dim>::solve_at(
     for (std::size_t k = first; k < end; ++k)
       loads.push_back(loads_at(k));
     make_factors({s.begin() + first, s.begin() + end});
+    number_of_first = first;
     const std::vector<std::vector<HarmonicSolution>> solutions = solve_in_use(loads);
     for (std::size_t k = first; k < end; ++k)
       sink(k, loads[k - first], solutions[k - first]);

@@ -1,6 +1,8 @@
 #ifndef continua_finite_element_solvers_harmonic_coefficients_h
 #define continua_finite_element_solvers_harmonic_coefficients_h
 
+#include <continua/materials/material.h>
+
 #include <complex>
 #include <vector>
 
@@ -19,6 +21,10 @@ struct HarmonicCoefficients
   std::vector<Complex> viscosity;
   Complex support_stiffness = 1., support_damping = 0.; ///< [1], s [1/s]
 };
+
+/// Of a body without loads.
+HarmonicCoefficients harmonic_coefficients(const std::vector<Material> &materials,
+                                           std::complex<double> s);
 } // namespace Continua
 
 #endif

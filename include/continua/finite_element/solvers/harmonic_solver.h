@@ -48,6 +48,8 @@ public:
                 const std::function<void(std::size_t number,
                                          const std::vector<HarmonicLoad> &loads,
                                          const std::vector<HarmonicSolution> &solutions)> &sink);
+  std::vector<HarmonicSolution> solve_further(std::size_t number,
+                                              const std::vector<HarmonicLoad> &loads);
   HarmonicDeterminant determinant();
   int n_unknowns() const { return matrix.size(); }
   double factor_memory() const { return factors->memory(); }
@@ -60,7 +62,8 @@ private:
   HarmonicResiduals<dim> residual;
   HarmonicMatrix matrix;
   std::unique_ptr<HarmonicFactors> factors;
-  std::vector<Complex> factored; ///< the s of the factors
+  std::vector<Complex> factored;   ///< the s of the factors
+  std::size_t number_of_first = 0; ///< of the first of them among those of solve_at()
   double residual_of_all = 0.;
 
   /// Sets the factors in use. Throws with the frequency.
