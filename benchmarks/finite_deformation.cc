@@ -10,6 +10,8 @@
 #include <continua/base/log.h>
 #include <continua/case/case.h>
 #include <continua/continuum/discrete_continuum.h>
+#include <continua/continuum/linear_system.h>
+#include <continua/continuum/nonlinear_system.h>
 #include <continua/finite_element/taylor_hood.h>
 #include <continua/program/analyses.h>
 
@@ -35,41 +37,93 @@ struct Part
   double mean() const { return n_calls > 0 ? time / n_calls : 0.; }
 };
 
-/// Times what Newton's iteration asks for.
-template <int dim>
-class TimedTaylorHood : public TaylorHood<dim>
+/// The parts of Newton's iteration.
+struct Parts
+{
+  Part residual, tangent, linearisation, solution, cell_matrices, product;
+};
+
+/// The same terms, with their times.
+class TimedNonlinear : public NonlinearSystem
 {
 public:
-  using Base = TaylorHood<dim>;
-  using Base::Base;
+  TimedNonlinear(NonlinearSystem &system, Parts &parts) : system(system), parts(parts) {}
 
-  Part residual, tangent, linearisation, solution, cell_matrices, product;
-
-  void add_nonlinear_terms(const StepSolution &state,
-                           DistributedVector &momentum,
-                           DistributedVector &mass) override
+  bool is_in(const unsigned int region) const override { return system.is_in(region); }
+  bool has_all_terms() const override { return system.has_all_terms(); }
+  void add(const StepSolution &state, DistributedVector &momentum, DistributedVector &mass) override
   {
-    residual.add([&]() { Base::add_nonlinear_terms(state, momentum, mass); });
+    parts.residual.add([&]() { system.add(state, momentum, mass); });
+  }
+  ResidualScales residual_scales(const DistributedVector &velocity,
+                                 const DistributedVector &pressure) const override
+  {
+    return system.residual_scales(velocity, pressure);
+  }
+  std::string place_of_largest(const DistributedVector &momentum,
+                               const DistributedVector &mass,
+                               const bool of_momentum) const override
+  {
+    return system.place_of_largest(momentum, mass, of_momentum);
   }
   bool linearise(const StepSolution &state) override
   {
     // The integrals by themselves, which the next call makes again.
-    tangent.add([&]() { Base::keep_derivative(state); });
+    parts.tangent.add([&]() { system.keep_derivative(state); });
     bool is_new = false;
-    linearisation.add([&]() { is_new = Base::linearise(state); });
+    parts.linearisation.add([&]() { is_new = system.linearise(state); });
     return is_new;
   }
+  bool solves_with_kept_derivative() const override { return system.solves_with_kept_derivative(); }
+  void forget_linearisation() override { system.forget_linearisation(); }
+  bool has_derivative_products() const override { return system.has_derivative_products(); }
   void keep_derivative(const StepSolution &state) override
   {
-    cell_matrices.add([&]() { Base::keep_derivative(state); });
+    parts.cell_matrices.add([&]() { system.keep_derivative(state); });
   }
   void add_derivative_product(const DistributedVector &velocity,
                               const DistributedVector &pressure,
                               DistributedVector &momentum,
                               DistributedVector &mass) override
   {
-    product.add([&]() { Base::add_derivative_product(velocity, pressure, momentum, mass); });
+    parts.product.add([&]() { system.add_derivative_product(velocity, pressure, momentum, mass); });
   }
+  void add_powers(const unsigned int region,
+                  const StepSolution &state,
+                  const DistributedVector &of_velocity,
+                  const TermsTaken taken,
+                  NonlinearPowers &powers,
+                  DistributedVector *const momentum) override
+  {
+    system.add_powers(region, state, of_velocity, taken, powers, momentum);
+  }
+  NonlinearEnergy energy(const unsigned int region, const State &state) override
+  {
+    return system.energy(region, state);
+  }
+
+private:
+  NonlinearSystem &system;
+  Parts &parts;
+};
+
+/// The same system, with the times of its solves.
+class TimedLinear : public LinearSystem
+{
+public:
+  TimedLinear(LinearSystem &system, Parts &parts) : system(system), parts(parts) {}
+
+  SystemChange prepare(const SystemCoefficients &coefficients, const double pressure_time) override
+  {
+    return system.prepare(coefficients, pressure_time);
+  }
+  void eliminate_prescribed(const DistributedVector &prescribed,
+                            DistributedVector &momentum,
+                            DistributedVector &mass) override
+  {
+    system.eliminate_prescribed(prescribed, momentum, mass);
+  }
+  bool starts_from_guess() const override { return system.starts_from_guess(); }
   void solve(const DistributedVector &prescribed,
              DistributedVector &momentum,
              DistributedVector &mass,
@@ -77,8 +131,42 @@ public:
              DistributedVector &pressure,
              StepReport &report) override
   {
-    solution.add([&]() { Base::solve(prescribed, momentum, mass, velocity, pressure, report); });
+    parts.solution.add([&]()
+                       { system.solve(prescribed, momentum, mass, velocity, pressure, report); });
   }
+  void add_velocity_product(const DistributedVector &velocity, DistributedVector &result) override
+  {
+    system.add_velocity_product(velocity, result);
+  }
+  void add_divergence(const DistributedVector &velocity, DistributedVector &result) override
+  {
+    system.add_divergence(velocity, result);
+  }
+  void restrict_residuals(DistributedVector &momentum, DistributedVector &mass) const override
+  {
+    system.restrict_residuals(momentum, mass);
+  }
+
+private:
+  LinearSystem &system;
+  Parts &parts;
+};
+
+/// Times what Newton's iteration asks for.
+template <int dim>
+class TimedTaylorHood : public TaylorHood<dim>
+{
+public:
+  using TaylorHood<dim>::TaylorHood;
+
+  NonlinearSystem *nonlinear() override { return &timed_terms; }
+  LinearSystem &system() override { return timed_system; }
+
+  Parts parts;
+
+private:
+  TimedNonlinear timed_terms{*TaylorHood<dim>::nonlinear(), parts};
+  TimedLinear timed_system{TaylorHood<dim>::system(), parts};
 };
 
 template <int dim>
@@ -95,7 +183,7 @@ void measure(Report &report,
   Log log(MPI_COMM_WORLD);
   auto discretisation = std::make_unique<TimedTaylorHood<dim>>(
       *input.triangulation, input.problem, input.discretisation.taylor_hood, log);
-  const TimedTaylorHood<dim> &parts = *discretisation;
+  const Parts &parts = discretisation->parts;
   DiscreteContinuum<dim> body(std::move(discretisation), input.problem, log);
   body.initialise();
   // As the search for a steady state has it.
