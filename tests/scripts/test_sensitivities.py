@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Sensitivities of harmonic responses against differences of whole runs: a tube of liquid in a wall that relaxes on a support, whose end absorbs,
-in axisymmetry; and a block in space under its weight and two pressures with phases. Each entry that the file sets is changed by
+"""Sensitivities of harmonic responses against differences of whole runs: a tube of liquid in a wall that relaxes, whose end absorbs, in
+axisymmetry; and a block in space under its weight and two pressures with phases. Each entry that the file sets is changed by
 0.1 % up and down, and both runs are compared with the table, for probes of all kinds: points, means, integrals, flow rates, stresses."""
 
 import csv
@@ -49,29 +49,20 @@ subsection Materials
 end
 subsection Boundaries
   subsection inlet
-    set Type     = flow rate
-    set Profile  = poiseuille
-    set Flow rate = 2 ml/s
-    set Phase    = 20 deg
+    set Type     = pressure
+    set Pressure = 100 Pa
   end
   subsection wall inlet end
     set Type = fixed
   end
   subsection outlet
-    set Type                = windkessel
-    set Proximal resistance = 2e7 Pa s/m^3
-    set Distal resistance   = 5e7 Pa s/m^3
-    set Compliance          = 1e-9 m^3/Pa
-    set Pressure behind     = 30 Pa
+    set Type = absorbing
   end
   subsection wall outlet end
-    set Type = fixed
+    set Type = absorbing
   end
   subsection outside
-    set Type                 = support
-    set Normal stiffness     = 20 MPa/m
-    set Normal damping       = 10 kPa s/m
-    set Tangential stiffness = 1 MPa/m
+    set Type = free
   end
   subsection axis
     set Type = axis
@@ -224,19 +215,8 @@ class Sensitivities(unittest.TestCase):
         items[int(place) - 1] = f"{value!r}{unit}"
         return f"{key}={', '.join(items)}"
 
-    def test_tube(self):
-        self.compare(TUBE, 19)
-
     def test_absorbing_end(self):
-        text = TUBE
-        begin, end = text.index("  subsection outlet\n"), text.index("  subsection wall outlet end")
-        text = text[:begin] + "  subsection outlet\n    set Type = absorbing\n  end\n" + text[end:]
-        begin, end = text.index("  subsection inlet\n"), text.index("  subsection wall inlet end")
-        text = text[:begin] + "  subsection inlet\n    set Type     = pressure\n    set Pressure = 100 Pa\n  end\n" + text[end:]
-        begin, end = text.index("  subsection outside\n"), text.index("  subsection axis")
-        text = text[:begin] + "  subsection outside\n    set Type = free\n  end\n" + text[end:]
-        text = text.replace("  subsection wall outlet end\n    set Type = fixed", "  subsection wall outlet end\n    set Type = absorbing")
-        self.compare(text, 12)
+        self.compare(TUBE, 12)
 
     def test_block_in_space(self):
         """Poisson's ratio 0.5 is at its bound, so that no run has more."""
