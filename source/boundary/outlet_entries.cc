@@ -98,9 +98,11 @@ void read_windkessel(ParameterSection &section, BoundaryCondition &condition, un
 
 void read_network(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
-  section.add("Node", condition.node,
-              "Of the section Network: the loose end of a vessel, which stands at this boundary. "
-              "What flows out of the body flows into it, and its pressure acts on the body.");
+  section.add(
+      "Node", condition.node,
+      "Of the section Network: the loose end of a vessel, or a node of elements, which stands "
+      "at this boundary. What flows out of the body flows into it, and its pressure acts on "
+      "the body.");
   section.require("Node");
   Outlet outlet;
   read_coupling(section, condition, outlet);

@@ -100,7 +100,7 @@ void check_boundary(const Case<dim> &input,
                    "Give an inlet or an outlet of the body this Type");
 }
 
-/// Of the vessel that ends at a node, inside it.
+/// Of the vessel that ends at a node, inside it [m]; 0 where elements alone stand there.
 double radius_at(const NetworkParameters &network, const std::string &node)
 {
   for (const VesselEntries &vessel : network.vessels)
@@ -113,7 +113,8 @@ double radius_at(const NetworkParameters &network, const std::string &node)
 template <int dim>
 std::string warning_of_area(const Case<dim> &input, const BoundaryCondition &condition)
 {
-  if (dim == 2 && input.problem.model != Model::axisymmetric)
+  const double radius_of_vessel = radius_at(*input.network, condition.node);
+  if ((dim == 2 && input.problem.model != Model::axisymmetric) || radius_of_vessel == 0.)
     return "";
   double radius = 0.;
   try
@@ -126,7 +127,7 @@ std::string warning_of_area(const Case<dim> &input, const BoundaryCondition &con
     return "";
   }
   const double of_body = numbers::PI * radius * radius,
-               of_vessel = numbers::PI * std::pow(radius_at(*input.network, condition.node), 2);
+               of_vessel = numbers::PI * radius_of_vessel * radius_of_vessel;
   if (std::abs(of_vessel - of_body) <= most_difference_of_areas * of_body)
     return "";
   return "the section of the body at '" + condition.name + "' has " + six_digits(of_body) +
@@ -146,18 +147,22 @@ void check_node(const NetworkParameters &network,
     for (const std::string &name : {vessel.from, vessel.to})
       if (std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
+  for (const ElementEntries &element : network.elements)
+    for (const std::string &name : {element.from, element.to})
+      if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
   if (std::find(names.begin(), names.end(), condition.node) == names.end())
   {
     const std::string nearest = nearest_name(condition.node, names);
-    section.refuse("Node", "no vessel starts or ends at a node '" + condition.node + "'",
-                   names.empty()     ? "Describe the vessels in the section Network"
+    section.refuse("Node", "no vessel and no element is at a node '" + condition.node + "'",
+                   names.empty()     ? "Describe vessels or elements in the section Network"
                    : nearest.empty() ? "The nodes are " + joined(names)
                                      : "Did you mean '" + nearest + "'?");
   }
   unsigned int n_ends = 0;
   for (const VesselEntries &vessel : network.vessels)
     n_ends += (vessel.from == condition.node) + (vessel.to == condition.node);
-  if (n_ends > 1)
+  if (n_ends > 1 && !network.has_element(condition.node))
     section.refuse("Node",
                    "at the node '" + condition.node + "' " + std::to_string(n_ends) +
                        " vessels meet, and a body stands at the loose end of one",
@@ -210,10 +215,6 @@ void read_network_of_body(Case<dim> &input, ParameterSection root)
           "nonlinear wave theory");
     return;
   }
-  if (input.problem.interior.starts_under_mean_loads)
-    root.subsection("Initial state")
-        .refuse("Type", "the mean state of a network is not known before the run",
-                "Set it to steady or given, or give the boundary Type = windkessel");
   ParameterSection section = root.subsection("Network"), boundaries = root.subsection("Boundaries");
   const auto network = std::make_shared<NetworkParameters>();
   const BoundaryCondition &first = input.problem.conditions[at_network.front()];
@@ -246,6 +247,13 @@ void read_network_of_body(Case<dim> &input, ParameterSection root)
     section.refuse("Initial pressure", error.what(),
                    "Give a pressure nearer to the Reference pressure, or a stiffer wall");
   }
+  if (input.problem.interior.starts_under_mean_loads && !network->has_steady_flow())
+    root.subsection("Initial state")
+        .refuse(
+            "Type",
+            "the network has no steady flow: it has a chamber, or a part of it has no pressure, "
+            "resistance or absorbing end that takes up any flow rate",
+            "Set it to steady or given, or give the network such a terminal");
   input.network = network;
   for (const unsigned int c : at_network)
   {
@@ -263,6 +271,12 @@ void add_network_outlet(Case<dim> &input)
     return;
   Outlet outlet;
   outlet.network = input.network;
+  if (input.problem.interior.starts_under_mean_loads)
+  {
+    const auto in_mean = std::make_shared<NetworkParameters>(*input.network);
+    in_mean->period_of_loads = input.periodic_state.period;
+    outlet.network = in_mean;
+  }
   for (const unsigned int c : conditions_at_network(input.problem))
   {
     BoundaryCondition &condition = input.problem.conditions[c];
@@ -305,6 +319,9 @@ std::string network_at_start(const Case<dim> &input)
   if (!input.network)
     return "";
   const InteriorData &interior = input.problem.interior;
+  if (interior.starts_steady_under_loads && input.network->has_steady_flow() &&
+      (interior.starts_under_mean_loads || !input.network->gives_state_at_rest()))
+    return "The network starts with its steady flow, under what the body gives it";
   if (interior.starts_steady_under_loads)
     return "The network starts at rest: what flows out of the body at t = 0 meets it as a jump";
   const unsigned int c = conditions_at_network(input.problem).front();

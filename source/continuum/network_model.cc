@@ -36,6 +36,12 @@ double tolerance_after(const unsigned int n_corrections)
   return joint_tolerance * std::pow(10., more / corrections_of_a_decade);
 }
 
+/// Of a step: by which the network goes on at least, and as which a smaller offset counts as none.
+constexpr double least_interval = 0.5, even_offset = 1e-9;
+
+/// For the scales of pressures and flow rates where no vessel is at the joint [m^2], [m/s].
+constexpr double area_without_vessel = 1e-4, speed_without_vessel = 1.;
+
 bool is_same_size(const double a, const double b)
 {
   return std::abs(a - b) <= 1e-9 * std::abs(b);
@@ -54,26 +60,38 @@ NetworkModel::NetworkModel(const Outlet &outlet)
                                      { return (*rates)[i]; });
             return outlet.network->make(functions);
           }()),
+      nodes(outlet.network->numbers_at_body()),
+      steady(outlet, vessels, nodes),
       z(outlet.conditions.size(), outlet.conditions.size()),
       predicted(outlet.conditions.size())
 {
   const std::size_t n = outlet.conditions.size();
-  for (const std::string &name : outlet.network->nodes_at_body)
+  for (const unsigned int node : nodes)
   {
-    const unsigned int node = outlet.network->node(name);
-    nodes.push_back(node);
-    const double area = vessels.end_area(node);
-    stiffness.push_back(area * vessels.end_stiffness(node));
-    flow_scale.push_back(area * std::sqrt(stiffness.back() / outlet.network->liquid.density));
-    present.pressures.push_back(vessels.end_pressure(node));
+    const EndWave *const end = vessels.vessel_at(node);
+    const double density = outlet.network->liquid.density,
+                 area = end != nullptr ? end->of().end_state(end->at()).area : area_without_vessel;
+    stiffness.push_back(end != nullptr ? area * end->of().stiffness(end->at(), area)
+                                       : density * speed_without_vessel * speed_without_vessel);
+    flow_scale.push_back(area * std::sqrt(stiffness.back() / density));
   }
+  take_state();
+  trial_pressures.assign(n, 0.);
+  steady_flow_rates = present.flow_rates = trial_pressures;
+  present.flow_slopes = present.pressure_slopes = trial_pressures;
+  present.z.assign(n * n, 0.);
+  present.level_pressures = present.pressures;
+  older = present;
+}
+
+void NetworkModel::take_state()
+{
   StateNumbers numbers(StateNumbers::Direction::take, present.network);
   vessels.visit(numbers);
+  present.pressures.clear();
+  for (const unsigned int node : nodes)
+    present.pressures.push_back(vessels.end_pressure(node));
   present.energy = vessels.energy();
-  present.z.assign(n * n, 0.);
-  present.flow_rates.assign(n, 0.);
-  trial_pressures.assign(n, 0.);
-  older = present;
 }
 
 void NetworkModel::restore()
@@ -86,8 +104,15 @@ void NetworkModel::restore()
 void NetworkModel::make_trial(const double *const flow_rates)
 {
   const unsigned int n = n_ports();
+  if (step.finds_steady_state)
+  {
+    steady.solve(step, flow_rates, trial_pressures, z);
+    trial_flow_rates.assign(flow_rates, flow_rates + n);
+    return;
+  }
   for (unsigned int i = 0; i < n; ++i)
-    (*inflows)[i] = flow_rates[i] / outlet.fractions[i]; // of the whole tube
+    (*inflows)[i] = (flow_rates[i] + offset * present.flow_slopes[i]) /
+                    outlet.fractions[i]; // of the whole tube
   for (;; n_steps *= 2)
   {
     if (n_steps > most_network_steps)
@@ -95,12 +120,23 @@ void NetworkModel::make_trial(const double *const flow_rates)
                         "' needs more than a million steps of its own: its waves are too fast for "
                         "its cells. Give longer cells, a softer wall or larger radii");
     restore();
-    if (vessels.advance_in(step.time, n_steps))
+    if (vessels.advance_in(end_time, n_steps))
       break;
   }
   trial_flow_rates.assign(flow_rates, flow_rates + n);
   for (unsigned int i = 0; i < n; ++i)
-    trial_pressures[i] = vessels.mean_pressure(nodes[i]);
+    trial_pressures[i] = vessels.mean_pressure(nodes[i]) - offset * present.pressure_slopes[i];
+}
+
+void NetworkModel::place_interval()
+{
+  const double size = step.size(),
+               even = step.balance_time + 0.5 * size; // where it ends in steps of one size
+  begin_time = vessels.time();
+  end_time = std::max(even, begin_time + least_interval * size);
+  offset = 0.5 * (begin_time + end_time) - step.balance_time;
+  if (std::abs(offset) <= even_offset * size)
+    offset = 0.;
 }
 
 void NetworkModel::set_predicted()
@@ -154,21 +190,26 @@ bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_o
   n_corrections = 0;
   if (step.finds_steady_state)
   {
-    // The network waits.
+    if (waits())
+    {
+      z = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        predicted[i] = step.load_factor * present.pressures[i];
+    }
+    else
+    {
+      make_trial(steady_flow_rates.data());
+      set_predicted();
+    }
     is_linearised = true;
-    z = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      predicted[i] = step.load_factor * present.pressures[i];
     return true;
   }
-  vessels.set_clock_ahead(step.balance_time - 0.5 * (step.time_old + step.time));
   restore();
+  place_interval();
   const double longest = courant_share * outlet.network->courant_number * vessels.largest_step();
-  n_steps = static_cast<unsigned int>(
-      std::min<double>(std::ceil(step.size() / longest * (1. - 1e-9)), most_network_steps));
-  n_steps = std::max(n_steps, 1u);
-  const bool is_new = !is_same_size(present.size, step.size());
-  if (is_new)
+  n_steps = static_cast<unsigned int>(std::clamp(
+      std::ceil((end_time - begin_time) / longest * (1. - 1e-9)), 1., double(most_network_steps)));
+  if (!is_same_size(present.interval, end_time - begin_time))
     find_impedance(present.flow_rates);
   else
   {
@@ -182,19 +223,26 @@ bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_o
   return true;
 }
 
-bool NetworkModel::linearise_steady(double)
+void NetworkModel::refuse_steady() const
 {
   throw RunError("the network at '" + outlet.name +
-                 "' has no steady flow of its own: set Analysis = transient, or give the boundary "
-                 "Type = windkessel");
+                 "' has no place in a steady analysis: set "
+                 "Analysis = transient, or give the boundary Type = windkessel");
+}
+
+bool NetworkModel::linearise_steady(double)
+{
+  refuse_steady();
 }
 
 void NetworkModel::take_update(const std::vector<double> &flow_rates_before,
                                const std::vector<double> &pressures_before)
 {
   const unsigned int n = n_ports();
-  if (flow_rates_before.empty())
-    return; // the trial before has thrown, or the present state was asked for
+  // Of a steady flow Z is the derivative; without flow rates the trial before has thrown, or the
+  // present state was asked for.
+  if (step.finds_steady_state || flow_rates_before.empty())
+    return;
   double square = 0., largest = 0.;
   std::vector<double> change(n);
   for (unsigned int j = 0; j < n; ++j)
@@ -218,8 +266,9 @@ void NetworkModel::take_update(const std::vector<double> &flow_rates_before,
 bool NetworkModel::correct(const double *const flow_rates)
 {
   const unsigned int n = n_ports();
-  if (step.finds_steady_state || !is_linearised)
+  if (waits() || !is_linearised)
     return false;
+  const dealii::FullMatrix<double> z_before = z; // a steady trial has another one
   const std::vector<double> flow_rates_before = trial_flow_rates,
                             pressures_before = trial_pressures;
   make_trial(flow_rates);
@@ -231,19 +280,22 @@ bool NetworkModel::correct(const double *const flow_rates)
                    least_joint_tolerance / joint_tolerance * stiffness[i];
     for (unsigned int j = 0; j < n; ++j)
     {
-      of_relation += z(i, j) * flow_rates[j];
-      scale += std::abs(z(i, j) * flow_rates[j]);
+      of_relation += z_before(i, j) * flow_rates[j];
+      scale += std::abs(z_before(i, j) * flow_rates[j]);
     }
     largest = std::max(largest, std::abs(of_relation - trial_pressures[i]) / scale);
   }
   if (largest <= tolerance_after(n_corrections))
+  {
+    z = z_before;
     return false;
+  }
   if (++n_corrections > most_corrections)
     throw StepFailure("the body and the network at '" + outlet.name +
                       "' have not found a common pressure and flow rate in " +
                       std::to_string(most_corrections) + " corrections: the pressures differ by " +
                       six_digits(largest) + " of themselves");
-  if (n_corrections % corrections_by_update == 0)
+  if (!step.finds_steady_state && n_corrections % corrections_by_update == 0)
     find_impedance(trial_flow_rates);
   else
     take_update(flow_rates_before, pressures_before);
@@ -253,7 +305,7 @@ bool NetworkModel::correct(const double *const flow_rates)
 
 void NetworkModel::linearise_about(const double *const flow_rates)
 {
-  if (step.finds_steady_state || !is_linearised)
+  if (!is_linearised || waits())
     return;
   const std::vector<double> flow_rates_before = trial_flow_rates,
                             pressures_before = trial_pressures;
@@ -266,29 +318,58 @@ void NetworkModel::advance(const Step &of_step, const double *const flow_rates)
 {
   const unsigned int n = n_ports();
   if (of_step.finds_steady_state)
+  {
+    steady_flow_rates.assign(flow_rates, flow_rates + n);
     return;
+  }
   if (!std::equal(flow_rates, flow_rates + n, trial_flow_rates.begin(), trial_flow_rates.end()))
     make_trial(flow_rates);
   std::swap(older, present);
-  StateNumbers numbers(StateNumbers::Direction::take, present.network);
-  vessels.visit(numbers);
-  present.flow_rates.assign(flow_rates, flow_rates + n);
+  take_state();
+  take_levels(flow_rates, older, present);
   for (unsigned int i = 0; i < n; ++i)
-  {
-    present.pressures[i] = vessels.end_pressure(nodes[i]);
     for (unsigned int j = 0; j < n; ++j)
       present.z[i * n + j] = z(i, j);
-  }
-  present.size = step.size();
-  present.energy = vessels.energy();
+  present.interval = end_time - begin_time;
   is_linearised = false;
+}
+
+void NetworkModel::take_levels(const double *const flow_rates,
+                               const NetworkEndState &before,
+                               NetworkEndState &now) const
+{
+  const unsigned int n = n_ports();
+  now.flow_rates.assign(flow_rates, flow_rates + n);
+  now.level_pressures = trial_pressures;
+  now.size = step.size();
+  now.level = step.balance_time;
+  // What was before a start of the scheme says nothing of what follows.
+  now.flow_slopes = step.is_start ? std::vector<double>(n, 0.) : before.flow_slopes;
+  now.pressure_slopes = step.is_start ? now.flow_slopes : before.pressure_slopes;
+  const bool is_even = offset == 0. && before.size > 0. && !step.is_start;
+  for (unsigned int i = 0; i < n && is_even; ++i)
+  {
+    const double duration = now.level - before.level;
+    now.flow_slopes[i] = (now.flow_rates[i] - before.flow_rates[i]) / duration;
+    now.pressure_slopes[i] = (now.level_pressures[i] - before.level_pressures[i]) / duration;
+  }
+}
+
+void NetworkModel::start_from(const double *const flow_rates)
+{
+  if (!steady.applies(step))
+    return;
+  make_trial(flow_rates);
+  steady.start();
+  take_state();
+  present.flow_rates = trial_flow_rates;
+  present.level_pressures = trial_pressures;
+  older = present;
 }
 
 void NetworkModel::set_steady(const double *)
 {
-  throw RunError("the network at '" + outlet.name +
-                 "' has no steady flow of its own: set Analysis = transient, or give the boundary "
-                 "Type = windkessel");
+  refuse_steady();
 }
 
 double NetworkModel::stored_power() const
@@ -310,25 +391,9 @@ const Network *NetworkModel::network()
   return &vessels;
 }
 
-void NetworkModel::visit_state(StateVisitor &visitor,
-                               const unsigned int number,
-                               State &now,
-                               State &before)
-{
-  visitor.levels({"network", number}, now.network.data(), before.network.data(),
-                 now.network.size());
-  visitor.levels({"pressures of network", number}, now.pressures.data(), before.pressures.data(),
-                 now.pressures.size());
-  visitor.levels({"impedance of network", number}, now.z.data(), before.z.data(), now.z.size());
-  visitor.levels({"flow rates of network", number}, now.flow_rates.data(), before.flow_rates.data(),
-                 now.flow_rates.size());
-  visitor.levels({"step of network", number}, &now.size, &before.size, 1);
-  visitor.levels({"energy of network", number}, &now.energy, &before.energy, 1);
-}
-
 void NetworkModel::visit(StateVisitor &visitor, const unsigned int number)
 {
-  visit_state(visitor, number, present, older);
+  present.visit(visitor, number, older);
   is_linearised = false;
 }
 } // namespace Continua

@@ -41,6 +41,7 @@ Circuit::Circuit(const Description &description,
     this->vessels.emplace_back(place(node), wave);
   const std::size_t n = nodes.size();
   pressures.assign(n, 0.);
+  first_pressures = pressures;
   flow_into.assign(n, 0.);
   is_given.assign(n, 0);
   areas.assign(this->vessels.size(), 0.);
@@ -48,11 +49,23 @@ Circuit::Circuit(const Description &description,
 
 unsigned int Circuit::place(const unsigned int node)
 {
-  const auto found = std::find(nodes.begin(), nodes.end(), node);
-  const auto number = static_cast<unsigned int>(found - nodes.begin());
-  if (found == nodes.end())
+  const unsigned int number = place_of(node);
+  if (number == nodes.size())
     nodes.push_back(node);
   return number;
+}
+
+unsigned int Circuit::place_of(const unsigned int node) const
+{
+  return std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+}
+
+const EndWave *Circuit::vessel_at(const unsigned int node) const
+{
+  for (const auto &[place, wave] : vessels)
+    if (nodes[place] == node)
+      return &wave;
+  return nullptr;
 }
 
 double Circuit::volume_at(const ElementLaw &law, const double pressure, const double time)
@@ -272,6 +285,31 @@ void Circuit::start_at_rest(const double time)
   solve(time, 0.);
 }
 
+void Circuit::start_steady(const std::vector<double> &of_nodes, const double *const flows)
+{
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    pressures[i] = of_nodes[nodes[i]];
+  for (std::size_t k = 0; k < elements.size(); ++k)
+  {
+    Element &element = elements[k];
+    element.rate = 0.;
+    element.flow = flows[k];
+    if (element.law.type == ElementLaw::Type::compliance)
+      element.state = volume_at(element.law, pressures[element.from], 0.);
+    else if (element.law.inertance > 0.)
+      element.state = flows[k];
+    element.known = element.state;
+  }
+}
+
+std::vector<std::pair<unsigned int, Circuit::Value>>
+Circuit::by_number(std::vector<std::pair<unsigned int, Value>> by_place) const
+{
+  for (auto &[node, load] : by_place)
+    node = nodes[node];
+  return by_place;
+}
+
 void Circuit::add_work(const double time, const double step, const std::vector<double> &before)
 {
   for (std::size_t i = 0; i < elements.size(); ++i)
@@ -293,6 +331,7 @@ void Circuit::solve_stage(const bool at_end_of_step, const double time, const do
   if (!at_end_of_step)
   {
     solve(time, 0.);
+    first_pressures = pressures;
     entered = half * entering;
     return;
   }

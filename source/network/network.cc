@@ -81,7 +81,7 @@ void Network::start_at_rest(const double pressure)
     has_states = edge.vessel->reconstruct() && has_states;
   if (!has_states)
     check_state();
-  elements.start_at_rest(clock());
+  elements.start_at_rest(now);
 }
 
 void Network::solve_memory(const bool at_end_of_step, const double length)
@@ -107,7 +107,7 @@ void Network::solve_memory(const bool at_end_of_step, const double length)
     terminals[loose.node] = &loose.terminal;
   try
   {
-    MemoryNodes(of_memory, n_nodes).solve(terminals, at_end_of_step, clock(), length);
+    MemoryNodes(of_memory, n_nodes).solve(terminals, at_end_of_step, now, length);
   }
   catch (const std::domain_error &error)
   {
@@ -121,11 +121,11 @@ void Network::solve_nodes(const bool at_end_of_step, const double length)
   {
     for (Loose &loose : loose_ends)
     {
-      const double inflow = loose.terminal.solve(at_end_of_step, clock(), length);
+      const double inflow = loose.terminal.solve(at_end_of_step, now, length);
       if (at_end_of_step)
       {
         entered += 0.5 * length * (loose.first_inflow + inflow);
-        loose.terminal.end_step(clock(), length);
+        loose.terminal.end_step(now, length);
       }
       else
       {
@@ -137,7 +137,7 @@ void Network::solve_nodes(const bool at_end_of_step, const double length)
       junction.solve();
     if (!elements.is_empty())
     {
-      elements.solve_stage(at_end_of_step, clock(), length);
+      elements.solve_stage(at_end_of_step, now, length);
       if (at_end_of_step)
         entered += elements.inflow_of_step();
     }
@@ -167,7 +167,7 @@ void Network::step(const double length)
   if (edges.empty())
     try
     {
-      elements.step_alone(clock(), length);
+      elements.step_alone(now, length);
       entered += elements.inflow_of_step();
     }
     catch (const std::domain_error &error)
@@ -207,16 +207,19 @@ const Network::Loose &Network::loose_end(const unsigned int node) const
                        [node](const Loose &loose) { return loose.node == node; });
 }
 
-double Network::end_area(const unsigned int node) const
+const EndWave *Network::vessel_at(const unsigned int node) const
 {
-  const EndWave &end = loose_end(node).terminal.end();
-  return end.of().end_state(end.at()).area;
+  return elements.has_node(node) ? elements.vessel_at(node) : &loose_end(node).terminal.end();
 }
 
-double Network::end_stiffness(const unsigned int node) const
+double Network::end_pressure(const unsigned int node) const
 {
-  const EndWave &end = loose_end(node).terminal.end();
-  return end.of().stiffness(end.at(), end_area(node));
+  return elements.has_node(node) ? elements.pressure(node) : loose_end(node).terminal.pressure();
+}
+
+double Network::mean_pressure(const unsigned int node) const
+{
+  return elements.has_node(node) ? means_of_elements[node] : loose_end(node).mean_pressure;
 }
 
 double Network::largest_step() const
@@ -232,16 +235,21 @@ bool Network::advance_in(const double end_time, const unsigned int n_steps)
   const double begin = now, length = (end_time - begin) / n_steps;
   for (Loose &loose : loose_ends)
     loose.mean_pressure = 0.;
+  means_of_elements.assign(n_nodes, 0.);
   for (unsigned int i = 1; i <= n_steps; ++i)
   {
     if (length > largest_step())
       return false;
-    step(length);
+    step_vessels(length); // also without vessels: both stages have the mean that enters the body
+    ++steps;
     now = i < n_steps ? begin + i * length : end_time;
     check_state();
     for (Loose &loose : loose_ends)
       loose.mean_pressure +=
           0.5 * (loose.first_pressure + loose.terminal.pressure() - 2. * loose.mean_pressure) / i;
+    for (unsigned int node = 0; node < n_nodes; ++node)
+      if (elements.has_node(node))
+        means_of_elements[node] += (elements.mean_pressure(node) - means_of_elements[node]) / i;
   }
   return true;
 }

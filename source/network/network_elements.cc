@@ -120,9 +120,6 @@ void NetworkParameters::check_elements() const
       const std::string key = name == element->from ? element->key_of_node() : "To";
       if (name.empty())
         continue;
-      if (is_at_body(name))
-        element->refuse(key, "at the node '" + name + "' stands the body",
-                        "Put a short vessel between the body and the element");
       check_node_of_element(*element, key, name);
     }
   }
@@ -142,7 +139,7 @@ void NetworkParameters::check_node_of_element(const ElementEntries &element,
                                               const std::string &key,
                                               const std::string &name) const
 {
-  unsigned int n_connections = n_ends(node(name)), n_stores = 0;
+  unsigned int n_connections = n_ends(node(name)) + (is_at_body(name) ? 1 : 0), n_stores = 0;
   for (const ElementEntries &other : elements)
     if (other.from == name || other.to == name)
     {

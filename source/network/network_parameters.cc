@@ -5,6 +5,7 @@
 #include <continua/base/words.h>
 #include <continua/network/neo_hookean_wall.h>
 #include <continua/network/square_root_wall.h>
+#include <continua/network/steady_network.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,7 @@ void NetworkParameters::read(ParameterSection section)
   section.add("Initial pressure", initial_pressure, Dimensions::pressure,
               "Of the state at rest with which the run starts; with gravity at the first node that "
               "the vessels name, at ends of a body at the first boundary that stands at a node.");
+  has_initial_pressure = section.given("Initial pressure");
   read_times(section);
 
   std::string file;
@@ -283,6 +285,28 @@ std::unique_ptr<Vessel> NetworkParameters::make_vessel_of(const VesselEntries &e
       });
 }
 
+bool NetworkParameters::gives_state_at_rest() const
+{
+  const auto gives = [](const auto &entries) { return entries.has_initial_pressure; };
+  return has_initial_pressure || std::any_of(terminals.begin(), terminals.end(), gives) ||
+         std::any_of(elements.begin(), elements.end(), gives);
+}
+
+std::vector<unsigned int> NetworkParameters::numbers_at_body() const
+{
+  std::vector<unsigned int> numbers;
+  for (const std::string &name : nodes_at_body)
+    numbers.push_back(node(name));
+  return numbers;
+}
+
+bool NetworkParameters::has_steady_flow() const
+{
+  const std::function<double(double)> none = [](const double /*time*/) { return 0.; };
+  Network network = make(std::vector<std::function<double(double)>>(nodes_at_body.size(), none));
+  return SteadyNetwork(network, numbers_at_body()).exists();
+}
+
 Network
 NetworkParameters::make(const std::vector<std::function<double(double)>> &inflows_of_body) const
 {
@@ -302,15 +326,21 @@ NetworkParameters::make(const std::vector<std::function<double(double)>> &inflow
       laws[number].initial_pressure =
           initial_pressure - liquid.density * liquid.gravity * heights[number];
   }
+  Circuit::Description of_elements = circuit();
   for (std::size_t i = 0; i < inflows_of_body.size(); ++i)
   {
+    if (has_element(nodes_at_body[i]))
+    {
+      of_elements.inflows.emplace_back(node(nodes_at_body[i]), inflows_of_body[i]);
+      continue;
+    }
     TerminalLaw &law = laws[node(nodes_at_body[i])];
     law.type = TerminalLaw::Type::flow_rate;
     law.value = inflows_of_body[i];
     law.initial_pressure =
         initial_pressure - liquid.density * liquid.gravity * heights[node(nodes_at_body[i])];
   }
-  Network network(std::move(edges), laws, circuit());
+  Network network(std::move(edges), laws, of_elements);
   network.start_at_rest(initial_pressure);
   return network;
 }

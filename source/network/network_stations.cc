@@ -71,7 +71,7 @@ void NetworkStations::append_values(const Network &network, std::vector<double> 
     case Kind::heart:
     {
       const Heart &heart = network.heart(place.number);
-      row.insert(row.end(), {heart.pressure(network.clock()), heart.volume(), heart.work()});
+      row.insert(row.end(), {heart.pressure(network.time()), heart.volume(), heart.work()});
       break;
     }
     default:

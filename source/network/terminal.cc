@@ -223,6 +223,14 @@ void Terminal::end_step(const double time, const double step)
     heart.end_step(time, step);
 }
 
+void Terminal::start_steady(const double pressure, const double outflow)
+{
+  if (law.type == TerminalLaw::Type::windkessel)
+    compliance_pressure = next_pressure = law.pressure_behind + law.distal_resistance * outflow;
+  pressure_of_stage = last_pressure = pressure;
+  last_outflow = outflow_at_begin = outflow;
+}
+
 double Terminal::energy() const
 {
   return law.type == TerminalLaw::Type::windkessel

@@ -90,6 +90,12 @@ Vessel::Values Vessel::values(const double z) const
           between(first.wall_shear_stress, second.wall_shear_stress)};
 }
 
+void Vessel::start_at_rest(const double pressure)
+{
+  start_steady(0.,
+               pressure - flow_law().density * flow_law().gravity * description.height_at_start);
+}
+
 void Vessel::set(const std::vector<double> &areas, const std::vector<double> &flows)
 {
   area = areas;

@@ -4,6 +4,7 @@
 #include <continua/network/limited_slopes.h>
 #include <continua/network/neo_hookean_wall.h>
 #include <continua/network/square_root_wall.h>
+#include <continua/network/steady_profile.h>
 #include <continua/network/tabulated_wall.h>
 
 #include <algorithm>
@@ -36,7 +37,11 @@ public:
                  const FlowLaw &liquid,
                  const std::function<Wall(double)> &wall);
 
-  void start_at_rest(double pressure) override;
+  double steady_end_pressure(const double of_flow, const double start_pressure) const override
+  {
+    return steady_profile(of_flow, start_pressure).end_pressure;
+  }
+  void start_steady(double of_flow, double start_pressure) override;
   double largest_step() const override;
   bool reconstruct() override;
   void advance(double step, double share) override;
@@ -116,6 +121,10 @@ private:
   {
     return 0.5 * liquid.density * liquid.momentum_correction * square(of_flow / of_area);
   }
+  SteadyProfile<Wall> steady_profile(const double of_flow, const double start_pressure) const
+  {
+    return {name(), liquid, centres, faces, weights, cell_length(), of_flow, start_pressure};
+  }
   /// With numbers that are none if there is no such state.
   FaceState face_state(const Wall &wall, double head, double of_flow, double near_area) const;
   /// Whether the liquid is slower than the wave.
@@ -157,24 +166,13 @@ VesselWithWall<Wall>::VesselWithWall(const VesselDescription &description,
 }
 
 template <typename Wall>
-void VesselWithWall<Wall>::start_at_rest(const double pressure)
+void VesselWithWall<Wall>::start_steady(const double of_flow, const double start_pressure)
 {
-  const auto area_of = [&](const Wall &wall, const double weight)
-  {
-    const double found = wall.area(pressure - weight, wall.reference_area());
-    if (!(found > 0.))
-      throw std::domain_error("the wall of the vessel '" + name() +
-                              "' has no state under the initial pressure");
-    return found;
-  };
-  for (unsigned int i = 0; i < n_cells(); ++i)
-    area[i] = area_of(centres[i], 0.5 * (weights[i] + weights[i + 1]));
-  std::fill(flow.begin(), flow.end(), 0.);
-  for (const End end : {End::start, End::end})
-  {
-    const unsigned int face = end == End::start ? 0 : n_cells();
-    of_end(end).state = of_end(end).trace = {area_of(faces[face], weights[face]), 0.};
-  }
+  const SteadyProfile<Wall> profile = steady_profile(of_flow, start_pressure);
+  area = profile.areas;
+  std::fill(flow.begin(), flow.end(), of_flow);
+  of_end(End::start).state = of_end(End::start).trace = {profile.start_area, of_flow};
+  of_end(End::end).state = of_end(End::end).trace = {profile.end_area, of_flow};
   if (past)
     past->start_at_rest(flow);
 }

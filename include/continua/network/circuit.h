@@ -67,6 +67,17 @@ public:
   unsigned int n_elements() const { return elements.size(); }
   const ElementLaw &law(const unsigned int element) const { return elements[element].law; }
   double volume() const; ///< of all that stores [m^3]
+  /// Whether a node of the network belongs to it.
+  bool has_node(const unsigned int node) const { return place_of(node) < nodes.size(); }
+  /// Of such a node in the last stage, and its mean over both stages of the last step [Pa].
+  double pressure(const unsigned int node) const { return pressures[place_of(node)]; }
+  double mean_pressure(const unsigned int node) const
+  {
+    const unsigned int place = place_of(node);
+    return 0.5 * (first_pressures[place] + pressures[place]);
+  }
+  /// Of the vessels that end at a node, the first one, or null.
+  const EndWave *vessel_at(unsigned int node) const;
   double energy() const; ///< of compliances and inertances [J]
 
   /// Whether the circuit has a given pressure, or something that stores, for the pressure of each
@@ -75,6 +86,12 @@ public:
 
   /// The pressures of the state that it has. All calls throw std::domain_error without a solution.
   void start_at_rest(double time);
+  /// The state of a steady flow: pressures by the numbers of the nodes [Pa], and the flow rates of
+  /// the elements [m^3/s].
+  void start_steady(const std::vector<double> &of_nodes, const double *flows);
+  /// By the numbers of the nodes, as the description has them.
+  std::vector<std::pair<unsigned int, Value>> given_pressures() const { return by_number(given); }
+  std::vector<std::pair<unsigned int, Value>> given_inflows() const { return by_number(inflows); }
   /// The stage at the begin (or the end) of a step of the vessels from `time` to `time + step` [s].
   void solve_stage(bool at_end_of_step, double time, double step);
   /// A step without vessels.
@@ -110,6 +127,7 @@ private:
   std::vector<Element> elements;
   std::vector<unsigned int> nodes;                            ///< their numbers in the network
   std::vector<double> pressures;                              ///< by node [Pa]
+  std::vector<double> first_pressures;                        ///< in the first stage of a step [Pa]
   std::vector<std::pair<unsigned int, Value>> given, inflows; ///< by place
   std::vector<std::pair<unsigned int, EndWave>> vessels;      ///< by place
   std::vector<char> is_given;                                 ///< by place, in the present stage
@@ -120,6 +138,10 @@ private:
   std::vector<double> change, flow_into, areas;
 
   unsigned int place(unsigned int node);
+  /// The number of nodes if it is none of them.
+  unsigned int place_of(unsigned int node) const;
+  std::vector<std::pair<unsigned int, Value>>
+  by_number(std::vector<std::pair<unsigned int, Value>> by_place) const;
   void solve(double time, double share);
   void add_equations(double time, double share);
   void take_rates(double time, double share);

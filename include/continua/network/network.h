@@ -40,9 +40,7 @@ public:
   /// Of a terminal that is a heart.
   const Heart &heart(const unsigned int node) const { return loose_end(node).terminal.chamber(); }
   double time() const { return now; } ///< [s]
-  /// Of what depends on time [s].
-  double clock() const { return now + clock_ahead; }
-  double volume() const; ///< of all liquid [m^3]
+  double volume() const;              ///< of all liquid [m^3]
   /// Of liquid, walls, compliances and inertances [J]; without what the memory of walls stores.
   double energy() const;
   /// What has flowed in through loose ends since the start, less what has flowed out [m^3].
@@ -63,15 +61,12 @@ public:
   /// Goes on to a time [s] in equal steps of this number. False if one of them is longer than
   /// largest_step() allows: the state is none then. Throws StepFailure.
   [[nodiscard]] bool advance_in(double end_time, unsigned int n_steps);
-  /// Of the loose end at a node: its pressure [Pa] in the last stage, and its mean over the time of
-  /// the last advance_in().
-  double end_pressure(unsigned int node) const { return loose_end(node).terminal.pressure(); }
-  double mean_pressure(unsigned int node) const { return loose_end(node).mean_pressure; }
-  /// At that loose end: the area [m^2], and dp/dA there [Pa/m^2].
-  double end_area(unsigned int node) const;
-  double end_stiffness(unsigned int node) const;
-  /// How far the clock of what depends on time is ahead of that of the network [s].
-  void set_clock_ahead(const double time) { clock_ahead = time; }
+  /// Of a loose end, or of a node of elements: its pressure [Pa] in the last stage, and its mean
+  /// over the time of the last advance_in().
+  double end_pressure(unsigned int node) const;
+  double mean_pressure(unsigned int node) const;
+  /// The end of a vessel there, or null.
+  const EndWave *vessel_at(unsigned int node) const;
   /// Hands over what a step changes.
   void visit(StateNumbers &numbers);
   /// The same without the time and what is counted since the start: what the further course depends
@@ -79,6 +74,7 @@ public:
   void visit_state(StateNumbers &numbers);
 
 private:
+  friend class SteadyNetwork;
   struct Loose
   {
     Terminal terminal;
@@ -91,8 +87,9 @@ private:
   std::vector<Loose> loose_ends;
   std::vector<Junction> junctions;
   Circuit elements;
+  std::vector<double> means_of_elements; ///< by node, over the steps of advance_in() [Pa]
   unsigned int n_nodes;
-  double now = 0., entered = 0., clock_ahead = 0.;
+  double now = 0., entered = 0.;
   unsigned int steps = 0;
 
   const Loose &loose_end(unsigned int node) const;

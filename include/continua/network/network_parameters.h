@@ -54,6 +54,9 @@ struct NetworkParameters
   /// Loose ends at which a body stands; to be set before check(). The steps and times of such a
   /// network are those of the run of the body.
   std::vector<std::string> nodes_at_body;
+  bool has_initial_pressure = false; ///< in the file
+  /// Of the loads of a body in a start from their mean; 0: it is no such start [s].
+  double period_of_loads = 0.;
 
   /// Declares and reads. Throws InputError for what is wrong in an entry or a row.
   void read(ParameterSection section);
@@ -77,8 +80,13 @@ struct NetworkParameters
   Network make() const { return make({}); }
   /// The same, with the flow rates into the network [m^3/s], of time [s], at its nodes at a body.
   Network make(const std::vector<std::function<double(double)>> &inflows_of_body) const;
-  unsigned int node(const std::string &name) const; ///< its number; nodes.size(): there is none
-  bool has_element(const std::string &node) const;  ///< whether one stands at the node
+  /// Whether the file gives a pressure or a charge with which the network starts at rest.
+  bool gives_state_at_rest() const;
+  /// Whether its steady flow is known for any flow rates out of the body. After check().
+  bool has_steady_flow() const;
+  unsigned int node(const std::string &name) const;  ///< its number; nodes.size(): there is none
+  std::vector<unsigned int> numbers_at_body() const; ///< of nodes_at_body, after check()
+  bool has_element(const std::string &node) const;   ///< whether one stands at the node
   /// The elements, in the order of `elements`, and behind them what terminals at their nodes are
   /// made of. After check().
   Circuit::Description circuit() const;

@@ -63,6 +63,10 @@ public:
     double of_flow, of_pressure, right, memory_share;
   };
   LinearLaw linear_law(bool at_end_of_step, double time, double step) const;
+  const TerminalLaw &end_law() const { return law; }
+  /// Takes the state of a steady flow, with a pressure [Pa] and a flow rate out of the network
+  /// [m^3/s].
+  void start_steady(double pressure, double outflow);
   /// The end of the vessel.
   const EndWave &end() const { return wave; }
   /// After the second stage of a step from `time` over `step` [s].

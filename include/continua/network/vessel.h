@@ -109,7 +109,11 @@ public:
 
   /// At rest under a pressure [Pa] where the height is zero. Throws std::domain_error if there is
   /// no area for it.
-  virtual void start_at_rest(double pressure) = 0;
+  void start_at_rest(double pressure);
+  /// A steady flow [m^3/s] towards the end, from a pressure [Pa] at the start: the pressure at the
+  /// end [Pa], and the state. Throw std::domain_error where the wall has no such state.
+  virtual double steady_end_pressure(double flow, double start_pressure) const = 0;
+  virtual void start_steady(double flow, double start_pressure) = 0;
   /// Any state, of the centres of the cells [m^2], [m^3/s].
   void set(const std::vector<double> &areas, const std::vector<double> &flows);
 
