@@ -10,10 +10,10 @@ namespace Continua
 {
 namespace
 {
-constexpr unsigned int most_iterations = 50, most_halvings = 30;
+constexpr unsigned int most_steady_iterations = 50, most_steady_halvings = 30;
 /// Of the largest pressure and the largest flow rate; the error after the last correction is much
 /// smaller.
-constexpr double tolerance = 1e-11;
+constexpr double steady_tolerance = 1e-11;
 /// Of A dp/dA of a vessel and of A c: for differences; and as which smaller values count.
 constexpr double difference = 1e-6, least_value = 1e-3;
 /// What a closed valve lets through, as in a Circuit.
@@ -132,7 +132,7 @@ double SteadyNetwork::start_pressure(const unsigned int edge,
   if (is_junction[network.edges[edge].from] == 0)
     return at_node;
   double area = vessel.end_state(Vessel::End::start).area, pressure = at_node;
-  for (unsigned int i = 0; i < most_iterations; ++i)
+  for (unsigned int i = 0; i < most_steady_iterations; ++i)
   {
     const double last = pressure;
     pressure = at_node - dynamic_pressure(vessel, area, flow);
@@ -307,7 +307,7 @@ void SteadyNetwork::solve(const std::vector<double> &flow_rates, const When &whe
   try
   {
     set_equations(flow_rates, when);
-    for (unsigned int i = 0; i < most_iterations; ++i)
+    for (unsigned int i = 0; i < most_steady_iterations; ++i)
     {
       if (!solve_for(defects))
         break;
@@ -323,7 +323,7 @@ void SteadyNetwork::solve(const std::vector<double> &flow_rates, const When &whe
         }
         catch (const std::domain_error &)
         {
-          if (halvings == most_halvings)
+          if (halvings == most_steady_halvings)
             throw;
         }
       double pressure_change = 0., flow_change = 0.;
@@ -334,7 +334,8 @@ void SteadyNetwork::solve(const std::vector<double> &flow_rates, const When &whe
         scale = std::max(scale, std::abs(unknowns[k]));
         largest = std::max(largest, std::abs(change[k]));
       }
-      if (pressure_change > tolerance * of_pressure || flow_change > tolerance * of_flow)
+      if (pressure_change > steady_tolerance * of_pressure ||
+          flow_change > steady_tolerance * of_flow)
         continue;
       const std::vector<double> none(unknowns.size(), 0.);
       for (std::size_t j = 0; j < nodes.size(); ++j)
