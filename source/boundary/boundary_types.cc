@@ -44,12 +44,11 @@ void read_pressure(ParameterSection &section, BoundaryCondition &condition, unsi
 
 void read_cavity(ParameterSection &section, BoundaryCondition &condition, unsigned int)
 {
-  condition.volume_ratio =
-      Waveform::read(section, "Volume ratio", Dimensions::none,
-                     "Volume that the boundary encloses, or that of the "
-                     "liquid behind it, over that in the "
-                     "undeformed mesh, such as 1 + 0.5*t; a function of time alone.",
-                     true);
+  condition.volume_ratio = Waveform::read(
+      section, "Volume ratio", Dimensions::none,
+      "Volume that the boundary encloses, or that of the liquid behind it, "
+      "over that in the undeformed mesh, such as 1 + 0.5*t; a function of time alone.",
+      true);
   if (condition.volume_ratio.depends_on_space())
     section.refuse("Volume ratio", "depends on x, y or z",
                    "Write it as a function of t: a cavity has one volume");

@@ -115,7 +115,7 @@ using Unknowns = std::array<double, 4>;
 
 /// The states of equilibrium between no strain and given stretches. At the part s of the path the
 /// given logarithms are s times those at its end, and the free directions bear 1 - s of what they
-/// bear at rest: nothing, but for a law that remembers an earlier strain.
+/// bear at no strain: nothing, but for a law that remembers an earlier strain.
 class EquilibriumPath
 {
 public:
@@ -235,7 +235,7 @@ private:
   }
 
   /// Newton's method from the tangent of the path. False if it does not converge, goes far from the
-  /// tangent or arrives where the free directions are not as stable as at rest.
+  /// tangent or arrives where the free directions are not as stable as at no strain.
   bool go_to(const double next)
   {
     is_finite = true;

@@ -3,7 +3,6 @@
 #include <continua/base/six_digits.h>
 #include <continua/materials/bulk_relaxation.h>
 
-#include <functional>
 #include <stdexcept>
 
 namespace Continua
@@ -223,13 +222,20 @@ std::shared_ptr<const BarLaw> make_hookean(const double poissons_ratio, unsigned
   return make_series_of_bar(poissons_ratio, 0);
 }
 
+std::shared_ptr<const BarLaw> make_prony(const double poissons_ratio, const unsigned int n_branches)
+{
+  if (n_branches == 0)
+    throw std::logic_error("a Prony series has one branch at least");
+  return make_series_of_bar(poissons_ratio, n_branches);
+}
+
 const std::vector<std::pair<std::string, Maker>> &makers()
 {
   static const std::vector<std::pair<std::string, Maker>> rows = {
       {"hookean", make_hookean},
       {"kelvin-voigt", make<KelvinVoigtLaw>},
       {"maxwell", make<MaxwellLaw>},
-      {"prony", make_series_of_bar},
+      {"prony", make_prony},
       {"power law", make<PowerLawOfBar>}};
   return rows;
 }

@@ -432,7 +432,7 @@ UNIT_TEST(deformation_terms)
     for (const double row : rows_of(solid_space, terms, state))
       largest = std::max(largest, std::abs(row));
     check::absolute("prestretched: free of stress where it is let go", largest, 0., 1e-13);
-    // In the shape of the mesh: tau = mu 1.3^(-2/3) dev diag(1.69, 1, 1) per undeformed volume, on
+    // In the shape of the mesh: tau = mu 1.3^(-2/3) dev diag(1.69, 1, 1) per stress-free volume, on
     // a section of 1.
     state.displacement = 0.;
     state.acceleration = small_problem::interpolated<3>(solid_space, [](const Point<3> &)

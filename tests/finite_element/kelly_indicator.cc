@@ -73,7 +73,8 @@ void compare_with_library()
   check::absolute(name + "pressure", largest_difference(mesh, own, library), 0., 1e-5);
 }
 
-/// A mesh at rest with a displacement, against the library on the mesh that the displacement makes.
+/// An undeformed mesh with a displacement, against the library on the mesh that the displacement
+/// makes.
 template <int dim>
 void compare_moved_mesh()
 {

@@ -68,7 +68,7 @@ void check_rubber()
 }
 
 /// Of the linear theory.
-void check_moduli_at_rest()
+void check_moduli_at_no_strain()
 {
   for (const std::string type : {"neo hookean", "mooney rivlin", "st venant kirchhoff"})
     for (const double k : {3e6, 1e9})
@@ -78,14 +78,14 @@ void check_moduli_at_rest()
       const double young = 9. * k * spring / (3. * k + spring),
                    nu = (3. * k - 2. * spring) / (6. * k + 2. * spring);
       using Type = HomogeneousTestType;
-      check::relative(type + " at rest: uniaxial", test.at(Type::uniaxial, 1.).tangent_modulus,
+      check::relative(type + " at no strain: uniaxial", test.at(Type::uniaxial, 1.).tangent_modulus,
                       young, 1e-9);
-      check::relative(type + " at rest: equibiaxial",
+      check::relative(type + " at no strain: equibiaxial",
                       test.at(Type::equibiaxial, 1.).tangent_modulus, young / (1. - nu), 1e-9);
-      check::relative(type + " at rest: planar", test.at(Type::planar, 1.).tangent_modulus,
+      check::relative(type + " at no strain: planar", test.at(Type::planar, 1.).tangent_modulus,
                       young / (1. - nu * nu), 1e-9);
-      check::relative(type + " at rest: shear", test.at(Type::shear, 0.).tangent_modulus, spring,
-                      1e-9);
+      check::relative(type + " at no strain: shear", test.at(Type::shear, 0.).tangent_modulus,
+                      spring, 1e-9);
     }
   // The second Piola-Kirchhoff stress of a bar is Young's modulus times Green's strain.
   const double l = 1.6, k = 3e6;
@@ -292,7 +292,7 @@ UNIT_TEST(homogeneous_test)
   check_ends_of_neo_hookean();
   check_wide_ranges();
   check_rubber();
-  check_moduli_at_rest();
+  check_moduli_at_no_strain();
   check_slopes();
   const double k = 3e6;
   const auto law = law_of("neo hookean");

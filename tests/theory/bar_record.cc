@@ -136,5 +136,7 @@ UNIT_TEST(bar_record)
                   std::log(2e-6), 1e-12);
   check::throws<std::logic_error>(
       "unknown law", []() { make_bar_law("no law"); }, "no law");
+  check::throws<std::logic_error>(
+      "no branch", []() { make_bar_law("prony", 0.5, 0); }, "one branch at least");
 }
 } // namespace test_of_bar_record

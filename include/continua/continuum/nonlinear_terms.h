@@ -6,7 +6,7 @@ namespace Continua
 /// The powers that the forces of nonlinear terms have with a given velocity, by kind; this rank's
 /// part [W]. Where the terms are corrections (see NonlinearSystem::has_all_terms()), the inertia
 /// is that of a density that is not that of the material, the viscosity that of a viscosity that is
-/// not the undeformed one, and there is no compression.
+/// not that at rest, and there is no compression.
 struct NonlinearPowers
 {
   double inertia = 0.;

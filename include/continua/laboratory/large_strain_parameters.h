@@ -34,8 +34,8 @@ struct LargeStrainParameters
   unsigned int n_points = 50; ///< rows of a curve
   CuttingDirection direction = CuttingDirection::axial;
   double axial_stretch = 1.;  ///< of inflation [1]
-  double radius = 0.;         ///< of the middle of the wall, at rest [m]
-  double wall_thickness = 0.; ///< at rest [m]
+  double radius = 0.;         ///< of the middle of the undeformed wall [m]
+  double wall_thickness = 0.; ///< undeformed [m]
   double held_stretch = 0.;   ///< of stretch relaxation [1]
   double held_shear = 0.;     ///< of shear relaxation [1]
   double loading_time = 0.;   ///< of both [s]

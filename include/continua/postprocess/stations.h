@@ -46,7 +46,7 @@ public:
     unsigned int station; ///< its place in positions()
     FieldComponent field;
     std::vector<std::pair<ProbeRequest<dim>, double>> terms; ///< with their factors
-    /// Of a pressure gradient: from the first section of the pair to the second at rest [m], and by
+    /// Of a pressure gradient: from the first section to the second, undeformed [m], and by
     /// component how far the second one has moved against the first one, as a sum likewise.
     dealii::Tensor<1, dim> line;
     std::vector<std::vector<std::pair<ProbeRequest<dim>, double>>> movements;

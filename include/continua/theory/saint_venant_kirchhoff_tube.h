@@ -9,8 +9,8 @@ namespace Continua
 {
 /**
  * A tube of layers of the law of Saint-Venant and Kirchhoff, compressible and of any thickness,
- * that is held along its axis. Of the radius R at rest and r(R) the stretches are r' across and r/R
- * around, Green's strains e = (stretch^2 - 1)/2, the second Piola-Kirchhoff stresses S = lambda
+ * that is held along its axis. Of the undeformed radius R and r(R) the stretches are r' across and
+ * r/R around, Green's strains e = (stretch^2 - 1)/2, the second Piola-Kirchhoff stresses S = lambda
  * (e_across + e_around) + 2 mu e, the first ones P = stretch S, and
  *
  *     dP_across/dR = (P_around - P_across)/R,
@@ -21,7 +21,7 @@ namespace Continua
 class SaintVenantKirchhoffTube
 {
 public:
-  /// `section` has the radius and the thicknesses at rest. Throws std::invalid_argument where a
+  /// `section` has the undeformed radius and thicknesses. Throws std::invalid_argument where a
   /// layer has another law.
   explicit SaintVenantKirchhoffTube(const TubeSection &section);
 
@@ -31,7 +31,7 @@ public:
 private:
   struct Layer
   {
-    double inner, outer;    ///< radii at rest [m]
+    double inner, outer;    ///< undeformed radii [m]
     double lambda, modulus; ///< Lame's [Pa]
   };
   /// At an undeformed place: the present radius [m] and P across the wall [Pa].

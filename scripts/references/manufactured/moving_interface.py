@@ -5,7 +5,7 @@
     scripts/references/manufactured/moving_interface.py --numbers   values at the end, of which the tests have theirs
 
 The motion of the wall is chosen, X -> (x, y) with x = X + c (Y - 1)^2, y = Y + a x^2/2: two shears, so that volumes stay and the
-inverse is known. The interface, at rest Y = 1, is then the parabola y = 1 + a x^2/2. With s = y - 1 - a x^2/2 the liquid has
+inverse is known. The interface, undeformed Y = 1, is then the parabola y = 1 + a x^2/2. With s = y - 1 - a x^2/2 the liquid has
 
     U = (0, a' x^2/2) + (d/dy, -d/dx) (s^2 q/2),
 

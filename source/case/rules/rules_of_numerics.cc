@@ -155,8 +155,7 @@ std::vector<Rule> rules_of_moving_cells()
       {{"outlet"},
        {"cell-wise mesh that moves"},
        "on the cell-wise path the flow rate of an outlet is the one through the undeformed "
-       "section, "
-       "and the mesh moves",
+       "section, and the mesh moves",
        "Prescribe a pressure, or set Discretisation = taylor hood"},
       {{"crank nicolson"},
        {"cell-wise mesh that moves"},

@@ -237,9 +237,7 @@ void DeformationTerms<dim>::refuse_inversion(const double least_ratio,
       (step.finds_unloaded_shape
            ? ": its volume is not positive there; more Steady/Load steps or a finer mesh help"
            : ": the ratio of its volume to the undeformed one is not positive there; a smaller "
-             "time "
-             "step, "
-             "loads that begin smoothly or a finer mesh help"));
+             "time step, loads that begin smoothly or a finer mesh help"));
 }
 
 template <int dim>

@@ -40,7 +40,7 @@ private:
   const Problem &problem;
   const QuadratureCells<dim> &cells;
   const bool depends_on_space;
-  dealii::FEValues<dim> places; ///< at rest
+  dealii::FEValues<dim> places; ///< undeformed
   Step step;
   const Cell *present = nullptr;
   const dealii::Vector<double> *displacements = nullptr; ///< of the cell `present`

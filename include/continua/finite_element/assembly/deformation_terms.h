@@ -29,7 +29,7 @@ namespace Continua
  * ) J dV, which keeps the energy; the closed one keeps the volume. A law with a mean stress s of
  * its own has (p + s(F))/K in the place of ln J + p/K. Branches that relax add to tau the stress of
  * a metric that the step knows beforehand (MetricHistory). With a prestretch F0 the laws have the
- * elastic deformation F F0^-1, and the undeformed volume, with the mass, is det F0 dV; loads that
+ * elastic deformation F F0^-1, and the stress-free volume, with the mass, is det F0 dV; loads that
  * come in steps bring it in the same share. Where the unloaded shape X + D0 is another than the
  * mesh, F0 is 1 + Grad D0. A step that finds this shape has F = 1 and D0 = -D, and the mass of the
  * mesh's volume.

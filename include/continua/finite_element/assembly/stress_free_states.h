@@ -32,7 +32,7 @@ public:
 
   /// The mesh has changed; the cells know it already.
   void reinit();
-  /// Whether the undeformed volume is another than that of the mesh.
+  /// Whether the stress-free volume is another than that of the mesh.
   bool have_other_volume() const { return has_other_volume; }
   /// Null: it is that of the mesh.
   const StressFreeState *at(const Cell &cell, const unsigned int q) const

@@ -13,8 +13,8 @@ bool body_force_depends_on_space(const InteriorData &interior);
 /// Whether the present shape of a region changes the body forces on it. They are a term of its
 /// equations then (BodyForce), else a linear load (Loads).
 bool body_force_follows(const Problem &problem, unsigned int region);
-/// The body force at a place, rho b + f with the density at rest, at the balanced time of a step
-/// and with its load factor [N/m^3].
+/// The body force at a place, rho b + f with the density of the stress-free material, at the
+/// balanced time of a step and with its load factor [N/m^3].
 template <int dim>
 dealii::Tensor<1, dim> body_force_at(const Problem &problem,
                                      unsigned int region,

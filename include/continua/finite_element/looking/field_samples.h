@@ -63,7 +63,7 @@ struct SampledShare
     volume      ///< dv = J dV
   };
   Kind kind = Kind::undeformed;
-  dealii::Tensor<1, 3> direction; ///< at rest, of length 1; of a line or an area
+  dealii::Tensor<1, 3> direction; ///< undeformed, of length 1; of a line or an area
 };
 
 /// Points at which fields are evaluated that are no linear functions of the state. What does not
@@ -87,7 +87,7 @@ public:
   }
   unsigned int size() const { return points.size(); }
   /// Adds a point of a cell of this rank or of a ghost. `normal`: out of the cell, for fields of
-  /// walls; `factors`: of the components of a stress; `weight`: at rest.
+  /// walls; `factors`: of the components of a stress; `weight`: undeformed.
   void add(const typename dealii::Triangulation<dim>::cell_iterator &cell,
            const dealii::FEValuesBase<dim> &values,
            const dealii::FEValuesBase<dim> &pressure_values,
@@ -99,7 +99,7 @@ public:
 
   /// Of the present shape, where the share of the point is not the undeformed one.
   double weight(const SampledState<dim> &state, unsigned int point) const;
-  /// At rest; on a mesh that moves the present one [m].
+  /// Undeformed; on a mesh that moves the present one [m].
   dealii::Point<dim> place(const SampledState<dim> &state, unsigned int point) const;
   double value(const FieldDefinition<dim> &field,
                const SampledState<dim> &state,
@@ -124,7 +124,7 @@ private:
   struct SamplePoint
   {
     unsigned int region;
-    double weight; ///< at rest
+    double weight; ///< undeformed
     SampledShare share;
     dealii::Point<dim> place;
     dealii::Tensor<1, dim> normal;

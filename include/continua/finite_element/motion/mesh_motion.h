@@ -127,7 +127,7 @@ private:
   {
     unsigned int index; ///< local
     unsigned int condition, component;
-    std::array<double, 3> place; ///< at rest [m]
+    std::array<double, 3> place; ///< undeformed [m]
   };
   std::vector<Follower> followers;
   std::vector<double> followed;  ///< their d at the level of the step [m]

@@ -9,7 +9,7 @@
 
 namespace Continua
 {
-/// Assembles the matrices of what supports the regions, over the boundaries of the body at rest:
+/// Assembles the matrices of what supports the regions, over the undeformed boundaries:
 /// RegionOperators::support_stiffness and support_damping. Collective.
 template <int dim>
 void assemble_supports(const Space<dim> &space,

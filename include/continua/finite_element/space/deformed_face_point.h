@@ -20,8 +20,8 @@ namespace Continua
 template <int dim>
 struct DeformedFacePoint
 {
-  dealii::Point<dim> place;  ///< at rest [m]
-  dealii::Tensor<1, 3> area; ///< N dA at rest, out of the body [m^2]
+  dealii::Point<dim> place;  ///< undeformed [m]
+  dealii::Tensor<1, 3> area; ///< N dA, undeformed, out of the body [m^2]
   double hoop = 0.;          ///< 1/R in axisymmetry, else 0 [1/m]
   std::vector<double> values;
   std::vector<dealii::Tensor<1, dim>> gradients; ///< by the undeformed place [1/m]

@@ -10,7 +10,7 @@
 namespace Continua
 {
 /// The longest diagonal of a cell or a face of the velocity's DoFHandler as it is displaced [m];
-/// undeformed that is diameter(). `displacement`: with ghost entries [m].
+/// of an undeformed one that is diameter(). `displacement`: with ghost entries [m].
 template <int dim, typename Iterator>
 double present_diameter(const Iterator &object, const DistributedVector &displacement)
 {

@@ -21,7 +21,7 @@ struct BodyForcePoint
 
 /// -int v . ( rho b(x) + f(x) ) dv with the acceleration b and the force density f at the present
 /// place. A liquid has its present volume dv and the density rho of the material, a solid its
-/// volume dV and its density at rest.
+/// volume dV and the density of the stress-free material.
 struct BodyForce
 {
   static constexpr PowerKind power = &NonlinearPowers::load;

@@ -11,7 +11,7 @@ namespace Continua
  * int v . p n da,   n da = J F^-T N dA:
  *
  * a pressure on a solid in finite deformation, which follows its face. One that is given and
- * depends on the place has that of its matter at rest.
+ * depends on the place has that of the undeformed place.
  */
 struct FollowerPressure
 {

@@ -14,7 +14,7 @@ template <int dim>
 struct SolidFacePoint
 {
   Kinematics kinematics;                ///< F = I + Grad D
-  double weight = 0.;                   ///< dA of the point, at rest [m^2]
+  double weight = 0.;                   ///< dA of the point, undeformed [m^2]
   dealii::Tensor<1, 3> area;            ///< n da over dA, n out of the body [1]
   double hoop = 0.;                     ///< 1/r of the present place in axisymmetry, else 0 [1/m]
   double displacement_by_velocity = 0.; ///< b = dD/dU [s]
