@@ -254,12 +254,16 @@ void SteadyNetwork::set_elements(const When &when)
       continue;
     }
     const double flow = unknowns[row], pressure = unknowns[law.from] - unknowns[law.to];
-    const bool is_closed = law.type == ElementLaw::Type::valve && pressure < 0.;
-    const double share = is_closed ? leak : 1.; // a valve without a resistance has an inertance
-    defects[row] = share * pressure - law.resistance * flow;
+    // An open valve without a resistance, which then has an inertance, has no difference of
+    // pressures.
+    const bool is_valve = law.type == ElementLaw::Type::valve, has_resistance = law.resistance > 0.,
+               is_closed = is_valve && (pressure < 0. || (!has_resistance && flow < 0.));
+    const double share = is_closed ? leak : 1.,
+                 resistance = is_closed && !has_resistance ? 1. : law.resistance; // [Pa s/m^3]
+    defects[row] = share * pressure - resistance * flow;
     matrix[row][law.from] += share;
     matrix[row][law.to] -= share;
-    matrix[row][row] -= law.resistance;
+    matrix[row][row] -= resistance;
     defects[law.from] -= flow;
     defects[law.to] += flow;
     matrix[law.from][row] -= 1.;

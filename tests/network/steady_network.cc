@@ -173,6 +173,21 @@ void elements()
   check::absolute("they start so", end.drift(1e-9), 0., 1e-9);
 }
 
+/// An open one has the same pressure on both sides, whichever way the liquid goes.
+void valve_without_resistance()
+{
+  AtBody end(
+      "subsection Elements\n"
+      "subsection valve\nset Type = valve\nset From = joint\nset To = above\n"
+      "set Resistance = 0\nset Inertance = 1e5 kg/m^4\nend\n"
+      "subsection way out\nset Type = resistance\nset From = joint\nset To = below\n"
+      "set Resistance = 100 MPa s/m^3\nend\nend\n"
+      "subsection Terminals\nsubsection above\nset Type = pressure\nset Pressure = 2000\nend\n"
+      "subsection below\nset Type = pressure\nset Pressure = 0\nend\nend\n");
+  check::relative("a valve without a resistance is closed", end.pressure_with(1e-5), 1000., 1e-6);
+  check::relative("and open", end.pressure_with(4e-5), 2000., 1e-9);
+}
+
 void where_there_is_none()
 {
   const auto exists = [](const std::string &terminal)
@@ -194,6 +209,7 @@ UNIT_TEST(steady_network)
   side_by_side();
   soft_taper();
   elements();
+  valve_without_resistance();
   where_there_is_none();
 }
 } // namespace test_of_steady_network
