@@ -110,9 +110,11 @@ void NetworkModel::make_trial(const double *const flow_rates)
     trial_flow_rates.assign(flow_rates, flow_rates + n);
     return;
   }
+  // What was before a start of the scheme says nothing of what follows.
+  const double ahead = step.is_start ? 0. : offset;
   for (unsigned int i = 0; i < n; ++i)
-    (*inflows)[i] = (flow_rates[i] + offset * present.flow_slopes[i]) /
-                    outlet.fractions[i]; // of the whole tube
+    (*inflows)[i] =
+        (flow_rates[i] + ahead * present.flow_slopes[i]) / outlet.fractions[i]; // of the whole tube
   for (;; n_steps *= 2)
   {
     if (n_steps > most_network_steps)
@@ -125,7 +127,7 @@ void NetworkModel::make_trial(const double *const flow_rates)
   }
   trial_flow_rates.assign(flow_rates, flow_rates + n);
   for (unsigned int i = 0; i < n; ++i)
-    trial_pressures[i] = vessels.mean_pressure(nodes[i]) - offset * present.pressure_slopes[i];
+    trial_pressures[i] = vessels.mean_pressure(nodes[i]) - ahead * present.pressure_slopes[i];
 }
 
 void NetworkModel::place_interval()
@@ -343,7 +345,6 @@ void NetworkModel::take_levels(const double *const flow_rates,
   now.level_pressures = trial_pressures;
   now.size = step.size();
   now.level = step.balance_time;
-  // What was before a start of the scheme says nothing of what follows.
   now.flow_slopes = step.is_start ? std::vector<double>(n, 0.) : before.flow_slopes;
   now.pressure_slopes = step.is_start ? now.flow_slopes : before.pressure_slopes;
   const bool is_even = offset == 0. && before.size > 0. && !step.is_start;

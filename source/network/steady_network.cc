@@ -357,7 +357,9 @@ void SteadyNetwork::solve(const std::vector<double> &flow_rates, const When &whe
   {
     problem = error.what();
   }
-  throw StepFailure("the network has no steady flow: " + problem);
+  throw StepFailure("the network has no steady flow: " + problem +
+                    ". Give it an Initial pressure, with which a start of the type steady lets it "
+                    "wait at rest, or set Initial state/Type = given");
 }
 
 void SteadyNetwork::start()
