@@ -139,6 +139,6 @@ def draw_sensitivities(sheet, run):
     axes.set_yticks(places, [f"{name}, {frequency:g} Hz" for name, _, frequency in shown])
     axes.invert_yaxis()
     axes.axvline(0, color="#999999", linewidth=0.5)
-    axes.set_xlabel("Amplitude by 1 % of the entry [%]")
+    axes.set_xlabel("Response by 1 % of the entry [%]")
     sheet.save(figure, "sensitivities")
     sheet.save_data("sensitivities", [f"{name} at {frequency:g} Hz [1]" for name, _, frequency in shown], [[value] for _, value, _ in shown])

@@ -20,6 +20,27 @@ namespace
 {
 /// From here on a residual is worth a warning.
 constexpr double noted_residual = 1e-9;
+
+template <int dim>
+void estimate_errors(ResponseErrors<dim> &errors,
+                     const std::vector<ProbeResponse> &responses,
+                     const std::vector<WaveFit> &fits)
+{
+  try
+  {
+    errors.estimate(responses, fits);
+  }
+  catch (const Interrupted &)
+  {
+    throw;
+  }
+  catch (const RunError &error)
+  {
+    throw RunError(
+        std::string("The responses are in the tables, but their errors could not be estimated: ") +
+        error.what());
+  }
+}
 } // namespace
 
 template <int dim>
@@ -256,7 +277,7 @@ void Harmonic<dim>::perform()
   if (sensitivities)
     sensitivities->finish(wave_numbers.fits());
   if (errors)
-    errors->estimate(tables->recorded(), wave_numbers.fits());
+    estimate_errors(*errors, tables->recorded(), wave_numbers.fits());
   this->finish_fields();
   std::ostringstream text;
   text << input.harmonic.frequencies.size()

@@ -25,12 +25,28 @@ constexpr std::size_t most_lines = 10;
 constexpr int digits_shown = 4;
 /// By which the fit of waves is differentiated, of the entry [1].
 constexpr double step_of_fit = 1e-3;
+/// Columns of the probes whose adjoint solutions are in memory at the same time.
+constexpr std::size_t most_at_a_time = 16;
 
 bool is_differentiated(const ProbeColumnName &name, const std::vector<std::string> &asked)
 {
   return asked.empty() ||
          std::any_of(asked.begin(), asked.end(),
                      [&name](const std::string &text) { return name.is_meant_by(text); });
+}
+
+/// A fit of waves needs all columns of its probe.
+template <int dim>
+bool is_wholly_differentiated(const Case<dim> &input, const std::string &probe)
+{
+  const std::vector<ProbeColumnName> columns =
+      input.probes.expected_columns(field_names<dim>(input.problem));
+  return std::all_of(columns.begin(), columns.end(),
+                     [&](const ProbeColumnName &column)
+                     {
+                       return column.probe != probe ||
+                              is_differentiated(column, input.harmonic.sensitivities.probes);
+                     });
 }
 
 /// "sensitivity of amplitude displacement x to Materials/wall/Density at 10 Hz"
@@ -136,20 +152,25 @@ void HarmonicSensitivities<dim>::take(const std::size_t number,
                                       const HarmonicSolution &solution,
                                       const std::vector<Complex> &values)
 {
-  std::vector<HarmonicFunctional> functionals;
-  std::vector<HarmonicLoad> weights;
-  for (const unsigned int column : columns)
-  {
-    functionals.push_back(system.functional(run.input.probes.terms_of(column), solution.s));
-    weights.push_back(functionals.back().weights);
-  }
-  const std::vector<std::vector<Complex>> all =
-      derivatives->evaluate(solution, functionals, system.solve_further(number, weights));
   std::map<unsigned int, Response> &responses = taken[frequency];
-  for (std::size_t j = 0; j < columns.size(); ++j)
+  for (std::size_t first = 0; first < columns.size(); first += most_at_a_time)
   {
-    const auto middle = all[j].begin() + n_entries();
-    responses[columns[j]] = {values[columns[j]], {all[j].begin(), middle}, {middle, all[j].end()}};
+    const std::size_t end = std::min(columns.size(), first + most_at_a_time);
+    std::vector<HarmonicFunctional> functionals;
+    std::vector<HarmonicLoad> weights;
+    for (std::size_t j = first; j < end; ++j)
+    {
+      functionals.push_back(system.functional(run.input.probes.terms_of(columns[j]), solution.s));
+      weights.push_back(functionals.back().weights);
+    }
+    const std::vector<std::vector<Complex>> all =
+        derivatives->evaluate(solution, functionals, system.solve_further(number, weights));
+    for (std::size_t j = first; j < end; ++j)
+    {
+      const std::vector<Complex> &sums = all[j - first];
+      const auto middle = sums.begin() + n_entries();
+      responses[columns[j]] = {values[columns[j]], {sums.begin(), middle}, {middle, sums.end()}};
+    }
   }
 }
 
@@ -343,11 +364,16 @@ void HarmonicSensitivities<dim>::name_quantities(const Case<dim> &input, Quantit
           for (const char *const number : {"amplitude ", "phase "})
             names.add(name_of_sensitivity(number + name.field, path, frequency), name.label());
       for (const StationsProbe &probe : input.probes.stations())
+      {
+        if (!WaveNumberTable<dim>::has_enough_stations(input, probe) ||
+            !is_wholly_differentiated(input, probe.name))
+          continue;
         for (unsigned int wave = 0; wave < input.harmonic.n_waves; ++wave)
           for (const char *const what : {"speed", "attenuation"})
             names.add(name_of_sensitivity(prefix_of_wave(input.harmonic.n_waves, wave) + what, path,
                                           frequency),
                       probe.name);
+      }
     }
 }
 

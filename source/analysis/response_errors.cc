@@ -249,10 +249,14 @@ void ResponseErrors<dim>::name_quantities(const Case<dim> &input, QuantityNames 
       for (const char *const number : {"amplitude ", "phase "})
         names.add(name_of_error(number + name.field, frequency), name.label());
     for (const StationsProbe &probe : input.probes.stations())
+    {
+      if (!WaveNumberTable<dim>::has_enough_stations(input, probe))
+        continue;
       for (unsigned int wave = 0; wave < input.harmonic.n_waves; ++wave)
         for (const char *const what : {"speed", "attenuation"})
           names.add(name_of_error(number_of_wave(input.harmonic.n_waves, wave) + what, frequency),
                     probe.name);
+    }
   }
 }
 

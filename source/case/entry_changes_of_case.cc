@@ -21,7 +21,8 @@ void refuse_changed_probes(const Case<dim> &input,
 {
   const Problem &problem = input.problem;
   for (std::size_t region = 0; region < problem.plane_stress_factors.size(); ++region)
-    if (change.problems.front().plane_stress_factors[region].pressure_factor !=
+    // The last node is never the number itself; the first one is, where the entry is at a bound.
+    if (change.problems.back().plane_stress_factors[region].pressure_factor !=
         problem.plane_stress_factors[region].pressure_factor)
       for (const ProbeColumnName &column : input.probes.expected_columns(field_names<dim>(problem)))
         if (column.field == "strain zz" || column.field.compare(0, 8, "pressure") == 0)

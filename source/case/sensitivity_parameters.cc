@@ -29,7 +29,8 @@ void SensitivityParameters::read(ParameterSection section)
               "Numbers of the materials, the boundaries and the body force, by which the responses "
               "are differentiated: paths such as Materials/wall/Young's modulus, of a list with "
               "the place of the number (Materials/wall/Shear moduli 2); or all - each that the "
-              "file sets and that is not 0. Empty: no sensitivities.");
+              "file sets and that is not 0, but for whole numbers and for entries with a formula. "
+              "Empty: no sensitivities.");
   section.add("Probes", probes,
               "Probes whose responses are differentiated, PROBE or PROBE: FIELD. Empty: all.");
   is_on = !entries.empty();

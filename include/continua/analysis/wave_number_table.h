@@ -40,6 +40,8 @@ public:
   /// The fits of the table, when it is written.
   const std::vector<WaveFit> &fits() const { return all_fits; }
   static void name_quantities(const Case<dim> &input, QuantityNames &names);
+  /// For a fit of its waves.
+  static bool has_enough_stations(const Case<dim> &input, const StationsProbe &probe);
 
 private:
   /// Of the section: by frequency, propagation g = i k [1/m] of the pressure wave, and of the axial
@@ -55,7 +57,6 @@ private:
   std::vector<std::vector<double>> cells; ///< by row
   std::vector<WaveFit> all_fits;
 
-  static bool has_enough_stations(const Case<dim> &input, const StationsProbe &probe);
   Theory theory_of(const StationsProbe &probe) const;
   TravellingWaves
   fit(const StationsProbe &probe, const ProbeResponse &row, const Theory &theory) const;
