@@ -18,6 +18,8 @@ constexpr double steady_tolerance = 1e-11;
 constexpr double difference = 1e-6, least_value = 1e-3;
 /// What a closed valve lets through, as in a Circuit.
 constexpr double leak = 1e-9;
+/// Of a closed valve that has none while it is open [Pa s/m^3]: that of a small artery.
+constexpr double closed_resistance = 1e9;
 /// Of a load over its period, of which the mean is taken.
 constexpr unsigned int n_samples = 4096;
 
@@ -259,7 +261,7 @@ void SteadyNetwork::set_elements(const When &when)
     const bool is_valve = law.type == ElementLaw::Type::valve, has_resistance = law.resistance > 0.,
                is_closed = is_valve && (pressure < 0. || (!has_resistance && flow < 0.));
     const double share = is_closed ? leak : 1.,
-                 resistance = is_closed && !has_resistance ? 1. : law.resistance; // [Pa s/m^3]
+                 resistance = is_closed && !has_resistance ? closed_resistance : law.resistance;
     defects[row] = share * pressure - resistance * flow;
     matrix[row][law.from] += share;
     matrix[row][law.to] -= share;
