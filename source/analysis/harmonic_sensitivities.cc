@@ -23,6 +23,8 @@ namespace
 /// Lines of the table on the screen.
 constexpr std::size_t most_lines = 10;
 constexpr int digits_shown = 4;
+/// Of a response over an entry that it is proportional to [1], [rad].
+constexpr double tolerance_of_a_factor = 1e-8;
 /// By which the fit of waves is differentiated, of the entry [1].
 constexpr double step_of_fit = 1e-3;
 /// Columns of the probes whose adjoint solutions are in memory at the same time.
@@ -54,11 +56,6 @@ std::string
 name_of_sensitivity(const std::string &number, const std::string &entry, const double frequency)
 {
   return "sensitivity of " + number + " to " + entry + " at " + six_digits(frequency) + " Hz";
-}
-
-std::string prefix_of_wave(const unsigned int n_waves, const std::size_t wave)
-{
-  return n_waves == 1 ? "" : "wave " + std::to_string(wave + 1) + " ";
 }
 
 /// Whether some entry is not zero, on any rank.
@@ -271,7 +268,7 @@ void HarmonicSensitivities<dim>::add_waves(const StationsProbe &probe, const Wav
         const double coarse = (more.waves[w].*number - less.waves[w].*number) / (2. * step),
                      fine = (half_more.waves[w].*number - half_less.waves[w].*number) / step;
         of_waves.push_back({fit.frequency, probe.name, probe.name,
-                            prefix_of_wave(options.n_waves, w) + what, unit, i, value, fine,
+                            name_of_wave(options.n_waves, w) + what, unit, i, value, fine,
                             undefined, std::abs((fine - coarse) * entry(i).value() / value),
                             false});
       }
@@ -311,12 +308,26 @@ void HarmonicSensitivities<dim>::finish(const std::vector<WaveFit> &fits)
 template <int dim>
 void HarmonicSensitivities<dim>::show_largest(const std::vector<Row> &all) const
 {
+  // The only load would fill the table with ones.
+  std::vector<bool> is_common_factor(n_entries(), true);
+  for (const Row &row : all)
+    if (row.is_amplitude && std::isfinite(row.by_entry))
+    {
+      const double value = entry(row.entry).value();
+      const bool is_factor =
+          std::abs(logarithmic(row, row.by_entry) - 1.) < tolerance_of_a_factor &&
+          std::abs(value * row.phase_by_entry) < tolerance_of_a_factor;
+      is_common_factor[row.entry] = is_common_factor[row.entry] && is_factor;
+    }
+  for (std::size_t i = 0; i < n_entries(); ++i)
+    if (is_common_factor[i] && !all.empty())
+      run.log.note("Each response is proportional to " + entry(i).path());
   // Of each response and entry the frequency at which it is largest.
   std::map<std::pair<std::string, std::size_t>, const Row *> largest;
   for (const Row &row : all)
   {
     const double size = std::abs(logarithmic(row, row.by_entry));
-    if (!std::isfinite(size))
+    if (!std::isfinite(size) || is_common_factor[row.entry])
       continue;
     const Row *&kept = largest[{row.probe + ": " + row.field, row.entry}];
     if (kept == nullptr || size > std::abs(logarithmic(*kept, kept->by_entry)))
@@ -329,6 +340,8 @@ void HarmonicSensitivities<dim>::show_largest(const std::vector<Row> &all) const
       order.begin(), order.end(),
       [this](const Row *const a, const Row *const b)
       { return std::abs(logarithmic(*a, a->by_entry)) > std::abs(logarithmic(*b, b->by_entry)); });
+  if (order.empty())
+    return;
   const std::size_t n_shown = std::min(order.size(), most_lines);
   std::vector<std::vector<std::string>> table = {
       {"largest sensitivities, for 1 % of the entry", "frequency", "amplitude", "phase"}};
@@ -370,7 +383,7 @@ void HarmonicSensitivities<dim>::name_quantities(const Case<dim> &input, Quantit
           continue;
         for (unsigned int wave = 0; wave < input.harmonic.n_waves; ++wave)
           for (const char *const what : {"speed", "attenuation"})
-            names.add(name_of_sensitivity(prefix_of_wave(input.harmonic.n_waves, wave) + what, path,
+            names.add(name_of_sensitivity(name_of_wave(input.harmonic.n_waves, wave) + what, path,
                                           frequency),
                       probe.name);
       }

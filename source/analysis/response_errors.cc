@@ -31,11 +31,6 @@ std::string name_of_error(const std::string &what, const double frequency)
 {
   return "estimated error of " + what + " at " + six_digits(frequency) + " Hz";
 }
-
-std::string number_of_wave(const std::size_t n_waves, const std::size_t wave)
-{
-  return n_waves == 1 ? "" : "wave " + std::to_string(wave + 1) + " ";
-}
 } // namespace
 
 template <int dim>
@@ -138,7 +133,7 @@ void ResponseErrors<dim>::add_waves(const WaveFit &fit, const std::vector<Comple
            {std::tuple("speed", "m/s", &TravellingWave::speed),
             std::tuple("attenuation", "1/m", &TravellingWave::attenuation)})
         estimates.push_back({fit.frequency, probe.name, probe.name,
-                             number_of_wave(options.n_waves, w) + what, unit,
+                             name_of_wave(options.n_waves, w) + what, unit,
                              fit.waves.waves[w].*number,
                              of_richer.waves[w].*number - fit.waves.waves[w].*number, true});
   }
@@ -254,7 +249,7 @@ void ResponseErrors<dim>::name_quantities(const Case<dim> &input, QuantityNames 
         continue;
       for (unsigned int wave = 0; wave < input.harmonic.n_waves; ++wave)
         for (const char *const what : {"speed", "attenuation"})
-          names.add(name_of_error(number_of_wave(input.harmonic.n_waves, wave) + what, frequency),
+          names.add(name_of_error(name_of_wave(input.harmonic.n_waves, wave) + what, frequency),
                     probe.name);
     }
   }

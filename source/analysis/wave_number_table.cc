@@ -30,12 +30,12 @@ std::string of_frequency(const double frequency)
 {
   return " at " + six_digits(frequency) + " Hz";
 }
+} // namespace
 
-std::string name_of_wave(const unsigned int n_waves, const unsigned int wave)
+std::string name_of_wave(const std::size_t n_waves, const std::size_t wave)
 {
   return n_waves == 1 ? "" : "wave " + std::to_string(wave + 1) + " ";
 }
-} // namespace
 
 template <int dim>
 WaveNumberTable<dim>::WaveNumberTable(Run<dim> &run, const std::vector<ProbeResponse> &responses)

@@ -69,6 +69,7 @@ NetworkModel::NetworkModel(const Outlet &outlet)
   for (const unsigned int node : nodes)
   {
     const EndWave *const end = vessels.vessel_at(node);
+    has_elements_alone = has_elements_alone || end == nullptr;
     const double density = outlet.network->liquid.density,
                  area = end != nullptr ? end->of().end_state(end->at()).area : area_without_vessel;
     stiffness.push_back(end != nullptr ? area * end->of().stiffness(end->at(), area)
@@ -151,9 +152,14 @@ void NetworkModel::set_predicted()
   }
 }
 
-void NetworkModel::find_impedance(const std::vector<double> &flow_rates)
+void NetworkModel::find_impedance(const std::vector<double> flow_rates)
 {
   const unsigned int n = n_ports();
+  // Away from zero, where a valve opens.
+  std::vector<double> distances;
+  for (unsigned int j = 0; j < n; ++j)
+    distances.push_back(
+        std::copysign(flow_difference * flow_scale[j] * outlet.fractions[j], flow_rates[j]));
   unsigned int n_steps_before;
   do
   {
@@ -163,17 +169,16 @@ void NetworkModel::find_impedance(const std::vector<double> &flow_rates)
     for (unsigned int j = 0; j < n; ++j)
     {
       std::vector<double> shifted = flow_rates;
-      const double distance = flow_difference * flow_scale[j] * outlet.fractions[j];
-      shifted[j] += distance;
+      shifted[j] += distances[j];
       make_trial(shifted.data());
       for (unsigned int i = 0; i < n; ++i)
-        z(i, j) = trial_pressures[i] / distance;
+        z(i, j) = trial_pressures[i] / distances[j];
     }
     make_trial(flow_rates.data());
   } while (n_steps != n_steps_before);
   for (unsigned int j = 0; j < n; ++j)
     for (unsigned int i = 0; i < n; ++i)
-      z(i, j) -= trial_pressures[i] / (flow_difference * flow_scale[j] * outlet.fractions[j]);
+      z(i, j) -= trial_pressures[i] / distances[j];
 }
 
 bool NetworkModel::linearise(const Step &new_step, const double * /*flow_rates_old*/)
@@ -265,6 +270,16 @@ void NetworkModel::take_update(const std::vector<double> &flow_rates_before,
   }
 }
 
+void NetworkModel::update_impedance(const std::vector<double> &flow_rates_before,
+                                    const std::vector<double> &pressures_before,
+                                    const bool is_slow)
+{
+  if (!step.finds_steady_state && (is_slow || has_elements_alone))
+    find_impedance(trial_flow_rates);
+  else
+    take_update(flow_rates_before, pressures_before);
+}
+
 bool NetworkModel::correct(const double *const flow_rates)
 {
   const unsigned int n = n_ports();
@@ -297,10 +312,7 @@ bool NetworkModel::correct(const double *const flow_rates)
                       "' have not found a common pressure and flow rate in " +
                       std::to_string(most_corrections) + " corrections: the pressures differ by " +
                       six_digits(largest) + " of themselves");
-  if (!step.finds_steady_state && n_corrections % corrections_by_update == 0)
-    find_impedance(trial_flow_rates);
-  else
-    take_update(flow_rates_before, pressures_before);
+  update_impedance(flow_rates_before, pressures_before, n_corrections % corrections_by_update == 0);
   set_predicted();
   return true;
 }
@@ -312,7 +324,7 @@ void NetworkModel::linearise_about(const double *const flow_rates)
   const std::vector<double> flow_rates_before = trial_flow_rates,
                             pressures_before = trial_pressures;
   make_trial(flow_rates);
-  take_update(flow_rates_before, pressures_before);
+  update_impedance(flow_rates_before, pressures_before, false);
   set_predicted();
 }
 

@@ -199,6 +199,7 @@ void NetworkParameters::check_pressures() const
       element.refuse("", "nothing gives the pressure of one of its nodes at the start",
                      "Make one element of those that meet there, with the sum of their "
                      "inertances, or give the node a compliance, a resistance without inertance "
-                     "to a node that has a pressure, or a terminal with a pressure");
+                     "to a node that has a pressure, a terminal with a pressure, or a vessel, "
+                     "also between it and a body");
 }
 } // namespace Continua

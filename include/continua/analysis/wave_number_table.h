@@ -6,6 +6,7 @@
 #include <continua/frequency/travelling_waves.h>
 
 #include <complex>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct WaveFit
   double frequency;
   TravellingWaves waves;
 };
+
+/// Before a number of one of the waves that are fitted: "wave 2 ", or nothing where there is one.
+std::string name_of_wave(std::size_t n_waves, std::size_t wave);
 
 /**
  * Speed and attenuation of the waves along a tube at each frequency of a harmonic analysis, from

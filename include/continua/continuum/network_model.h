@@ -64,6 +64,9 @@ private:
   std::vector<unsigned int> nodes; ///< by port
   /// By port: A dp/dA [Pa], and the flow rate A c [m^3/s] of a liquid as fast as the wave.
   std::vector<double> stiffness, flow_scale;
+  /// Whether elements alone stand at some port. A valve there has a kink in its pressure, which
+  /// changes of the trials do not follow, but differences do.
+  bool has_elements_alone = false;
   NetworkEndState present, older;
   SteadyNetworkEnd steady;
 
@@ -85,13 +88,18 @@ private:
   /// The pressures at the balanced level with these flow rates; the network is at the end of its
   /// interval then. Throws StepFailure.
   void make_trial(const double *flow_rates);
-  /// Z by differences about these flow rates, and the trial with them.
-  void find_impedance(const std::vector<double> &flow_rates);
+  /// Z by differences about these flow rates, and the trial with them. A copy: trials change what
+  /// the last one had.
+  void find_impedance(std::vector<double> flow_rates);
   /// Takes flow rates and pressures of the balanced level, and their slopes, into `now`.
   void
   take_levels(const double *flow_rates, const NetworkEndState &before, NetworkEndState &now) const;
   void take_update(const std::vector<double> &flow_rates_before,
                    const std::vector<double> &pressures_before);
+  /// Z after another trial: by its change, or where that says too little by differences.
+  void update_impedance(const std::vector<double> &flow_rates_before,
+                        const std::vector<double> &pressures_before,
+                        bool is_slow);
   /// The linear relation passes through the last trial.
   void set_predicted();
   void restore();

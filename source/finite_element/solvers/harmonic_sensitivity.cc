@@ -269,16 +269,10 @@ HarmonicSensitivity<dim>::evaluate(const HarmonicSolution &solution,
                by_entry.mass[r] * all.mass[r][j];
       for (std::size_t k = 0; k < supports.size(); ++k)
         sum -= (supports[k].stiffness[m] + s * supports[k].damping[m]) * all.supports[k][j];
+      // None has a flow rate without a profile: that needs a section which moves.
       for (unsigned int i = 0; i < ports.size(); ++i)
       {
-        const Complex given = change.load.ports.empty() ? Complex(0.) : change.load.ports[i];
-        if (ports.is_free_flow(i))
-        {
-          if (given != 0.)
-            sum -= adjoints[j].port_pressures[i] * given / s;
-          continue;
-        }
-        Complex pressure = given;
+        Complex pressure = change.load.ports.empty() ? Complex(0.) : change.load.ports[i];
         for (unsigned int k = 0; k < ports.size(); ++k)
           pressure += of_impedances(i, k) * solution.port_flow_rates[k];
         sum -= all.port_volumes[i][j] * pressure;
